@@ -1,0 +1,106 @@
+"""Refuse bad input once, at the public entry, in one sentence a student understands."""
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+RIGID_TOLERANCE = 1e-6
+
+
+def real_array(name: str, value: Any, expected: str) -> np.ndarray:
+    """The value as a new array of finite floats, or a ValueError that says what was wrong."""
+    try:
+        array = np.asarray(value)
+        if array.dtype.kind in "USMmc":  # numpy would read the text "1" as a number
+            raise TypeError
+        array = np.array(array, dtype=float)
+    except (TypeError, ValueError):
+        raise ValueError(f"{name}: expected {expected}, got {brief(value)}; give plain numbers") from None
+    if not np.all(np.isfinite(array)):
+        raise ValueError(f"{name}: expected finite numbers, got {brief(value)}; "
+                         "look for a division by zero or an empty cell")
+    return array
+
+
+def shaped(name: str, value: Any, shape: tuple[int, ...], expected: str) -> np.ndarray:
+    """A finite array whose last axes have exactly the given shape."""
+    array = real_array(name, value, expected)
+    if array.shape[array.ndim - len(shape):] != shape:
+        raise ValueError(f"{name}: expected {expected}, got shape {array.shape}")
+    return array
+
+
+def number(name: str, value: Any) -> float:
+    """One finite number."""
+    array = real_array(name, value, "a number")
+    if array.shape != ():
+        raise ValueError(f"{name}: expected one number, got shape {array.shape}")
+    return float(array)
+
+
+def rotation(name: str, value: Any) -> np.ndarray:
+    """A proper rotation, 2x2 or 3x3: columns of length 1, perpendicular, right-handed."""
+    matrix = real_array(name, value, "a rotation matrix")
+    n = matrix.shape[-1] if matrix.ndim > 1 else 0
+    if n not in (2, 3) or matrix.shape[-2] != n:
+        raise ValueError(f"{name}: expected a rotation matrix 2x2 or 3x3, got shape {matrix.shape}")
+    gap = np.max(np.abs(np.swapaxes(matrix, -1, -2) @ matrix - np.eye(n)), initial=0.0)
+    if gap > RIGID_TOLERANCE:
+        raise ValueError(f"{name}: expected a rotation (columns of length 1, perpendicular), "
+                         f"got one that is off by {gap:.2g}; check its entries")
+    if np.any(np.linalg.det(matrix) < 0):
+        raise ValueError(f"{name}: expected a right-handed rotation (determinant +1), "
+                         "got a mirror image; change the sign of one column")
+    return matrix
+
+
+def rigid(name: str, value: Any) -> np.ndarray:
+    """A rigid 4x4 homogeneous matrix: a rotation, an origin and the row 0 0 0 1."""
+    matrix = shaped(name, value, (4, 4), "a 4x4 homogeneous matrix")
+    rotation(f"{name}[:3, :3]", matrix[..., :3, :3])
+    if np.any(np.abs(matrix[..., 3, :] - [0, 0, 0, 1]) > RIGID_TOLERANCE):
+        raise ValueError(f"{name}: expected the last row 0 0 0 1, got {matrix[..., 3, :].tolist()}")
+    return matrix
+
+
+def choice(name: str, value: Any, options: tuple[str, ...]) -> str:
+    """One of a few words."""
+    if not isinstance(value, str) or value not in options:
+        words = " or ".join(repr(option) for option in options)
+        raise ValueError(f"{name}: expected {words}, got {brief(value)}")
+    return value
+
+
+def brief(value: Any, most: int = 60) -> str:
+    """The value as it would be typed, shortened to fit a sentence."""
+    text = " ".join(repr(value).split())
+    return text if len(text) <= most else text[: most - 3] + "..."
+
+
+def components(name: str, value: Any, expected: str) -> np.ndarray:
+    """An array of finite numbers or of sympy expressions."""
+    array = np.asarray(value)
+    if array.dtype == object and any(_is_open(entry) for entry in array.flat):
+        if all(_is_open(entry) or _is_finite(entry) for entry in array.flat):
+            return array
+        raise ValueError(f"{name}: expected {expected}, got {brief(value)}; "
+                         "mix only symbols and finite numbers")
+    if array.dtype == object and all(map(_is_exact, array.flat)):
+        return array
+    return real_array(name, value, expected)
+
+
+def _is_open(entry: Any) -> bool:
+    return bool(getattr(entry, "free_symbols", False))
+
+
+def _is_exact(entry: Any) -> bool:
+    return hasattr(entry, "free_symbols") and _is_finite(entry)
+
+
+def _is_finite(entry: Any) -> bool:
+    try:
+        return bool(np.isfinite(float(entry)))
+    except (TypeError, ValueError):
+        return False

@@ -1,0 +1,156 @@
+"""Closed forms of an arm's matrices, exact and in textbook notation.
+
+The frame recurrence of `motions` is followed with symbols for the joints. Angles that are
+multiples of pi/12 within 1e-12 are taken as exact, lengths as the decimals they were typed as.
+"""
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, replace
+from functools import cached_property
+
+import sympy as sp
+
+from . import checks, notation
+from .arm import REVOLUTE, Arm, _check_arm
+from .motions import ROTATE, Motion, X, Y, Z, follow, matrix
+
+
+@dataclass(frozen=True, eq=False)
+class ClosedForm:
+    """A homogeneous matrix in closed form.
+
+    Attributes
+    ----------
+    matrix : sympy.Matrix, shape (4, 4)
+    joints : tuple of sympy.Symbol
+        All joint variables of the arm, theta_i (rad) or d_i (length), in order.
+    lengths : dict
+        The value of each length symbol; empty when numbers stand in the matrix.
+    text, latex : str
+        The matrix in textbook notation: ``C1`` is cos(theta_1), ``S23`` is sin(theta_2 + theta_3).
+    entries : tuple of tuple of str
+        The text entry by entry.
+    """
+
+    matrix: sp.Matrix
+    joints: tuple[sp.Symbol, ...]
+    lengths: dict[sp.Symbol, float]
+
+    @cached_property
+    def entries(self) -> tuple[tuple[str, ...], ...]:
+        return tuple(tuple(notation.text(self.matrix[i, j], self.joints) for j in range(4))
+                     for i in range(4))
+
+    @property
+    def text(self) -> str:
+        widths = [max(map(len, column)) for column in zip(*self.entries)]
+        return "\n".join("[" + ", ".join(e.ljust(w) for e, w in zip(row, widths)).rstrip() + "]"
+                         for row in self.entries)
+
+    @property
+    def latex(self) -> str:
+        rows = (" & ".join(notation.latex(entry, self.joints) for entry in self.matrix.row(i))
+                for i in range(4))
+        return r"\begin{bmatrix}" + r" \\ ".join(rows) + r"\end{bmatrix}"
+
+    def __repr__(self) -> str:
+        return self.text
+
+    def _repr_latex_(self) -> str:
+        return f"$\\displaystyle {self.latex}$"
+
+
+def closed_form(arm: Arm, start: int = 0, stop: int | None = None, *,
+                lengths: str = "numbers") -> ClosedForm:
+    """The matrix T_start^stop of a stretch of the chain, exactly, as a function of the joints.
+
+    Parameters
+    ----------
+    arm : Arm
+    start, stop : int
+        Frames 0 to n. ``start=0`` begins in the room (the base included, as in
+        `link_frames`); leaving `stop` out ends at the tool, as `forward_kinematics` does.
+    lengths : {"numbers", "symbols"}
+        "symbols" writes a_i and d_i for the arm's lengths (of positive value: -0.5 in row 2
+        becomes -d_2). Row i of a modified table holds a_{i-1}. A tool along x or z of the last
+        frame takes the free names a_n, d_n; other tool and base lengths are x_E, ..., z_B.
+
+    Returns
+    -------
+    ClosedForm
+
+    Raises
+    ------
+    ValueError
+        If the frames are not 0 <= start <= stop <= n, or `lengths` is another word.
+
+    Examples
+    --------
+    >>> from kinlab import robots
+    >>> closed_form(robots.alpha_ii()).entries[0][3]
+    'C1*(177.8*C2 + 177.8*C23 - 129.5*S234)'
+    >>> closed_form(robots.alpha_ii(), 3, 5, lengths="symbols").entries[0][3]
+    '-d5*S4'
+    """
+    _check_arm(arm)
+    checks.choice("lengths", lengths, ("numbers", "symbols"))
+    first, last = _stretch(arm, start, stop)
+    joints = tuple(joint_symbol(link.kind, i) for i, link in enumerate(arm.links, start=1))
+    names = _length_names(arm) if lengths == "symbols" else {}
+    values: dict[sp.Symbol, float] = {}
+    motions = [_exact(motion, names.get((part, motion.axis)), values)
+               for part in range(first, last) for motion in arm.chain[part]]
+    frame = follow(motions, joints)
+    return ClosedForm(sp.Matrix(matrix(frame)), joints, values)
+
+
+def joint_symbol(kind: str, i: int) -> sp.Symbol:
+    """theta_i for a revolute joint, d_i for a prismatic one."""
+    return sp.Symbol(f"theta_{i}" if kind == REVOLUTE else f"d_{i}")
+
+
+def exact_angle(angle: float) -> sp.Expr:
+    """The angle as a multiple of pi/12 if it is one within 1e-12, else as a float."""
+    twelfths = round(angle * 12 / math.pi)
+    exact = abs(angle - twelfths * math.pi / 12) <= 1e-12
+    return sp.Rational(twelfths, 12) * sp.pi if exact else sp.Float(angle)
+
+
+def exact_length(length: float) -> sp.Expr:
+    """The length as the decimal that was typed: 177.8 is 889/5."""
+    return sp.Rational(repr(float(length)))
+
+
+def _stretch(arm: Arm, start: int, stop: int | None) -> tuple[int, int]:
+    """Slice of `arm.chain` from frame start to frame stop."""
+    end = arm.n if stop is None else stop
+    if not all(isinstance(k, int) for k in (start, end)) or not 0 <= start <= end <= arm.n:
+        raise ValueError(f"start, stop: expected frames 0 <= start <= stop <= {arm.n}, "
+                         f"got start={start!r}, stop={stop!r}")
+    return (start + 1 if start else 0), (arm.n + 2 if stop is None else end + 1)
+
+
+def _exact(motion: Motion, name: str | None, values: dict[sp.Symbol, float]) -> Motion:
+    if motion.kind == ROTATE:
+        return replace(motion, amount=exact_angle(motion.amount))
+    if not name or not motion.amount:
+        return replace(motion, amount=exact_length(motion.amount))
+    symbol = sp.Symbol(name)
+    values[symbol] = abs(motion.amount)
+    return replace(motion, amount=symbol if motion.amount > 0 else -symbol)
+
+
+def _length_names(arm: Arm) -> dict[tuple[int, int], str]:
+    """The textbook's name for each length, by stretch of the chain and axis of the slide."""
+    tool, modified, last = arm.n + 1, arm.convention == "modified", arm.links[-1]
+    names = {(end, axis): f"{'xyz'[axis]}_{letter}"
+             for end, letter in ((0, "B"), (tool, "E")) for axis in (X, Y, Z)}
+    for i, link in enumerate(arm.links, start=1):
+        names[i, X] = f"a_{i - modified}"
+        names[i, Z] = f"d_{i}" if link.kind == REVOLUTE else f"offset_{i}"
+    if modified or last.a == 0:
+        names[tool, X] = f"a_{arm.n}"
+    if modified and last.kind == REVOLUTE and last.d == 0:
+        names[tool, Z] = f"d_{arm.n}"
+    return names
