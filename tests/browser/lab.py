@@ -34,6 +34,9 @@ START_SECONDS = 60
 QUIET = {"@jupyterlab/apputils-extension/notification.jupyterlab-settings":
          {"fetchNews": "false", "checkForUpdates": False}}
 
+# The circling moons over the page while JupyterLab starts or changes its theme.
+SPLASH = "#jupyterlab-splash"
+
 # What the notebook in front holds: its model, as it would be saved.
 NOTEBOOK = "jupyterapp.shell.currentWidget.content.model.toJSON()"
 
@@ -89,6 +92,7 @@ def open_notebook(page: Page, lab: Lab, notebook: str) -> None:
     page.wait_for_function(
         "window.jupyterapp?.shell.currentWidget?.sessionContext?.session?.kernel"
         "?.status === 'idle'", timeout=1000 * START_SECONDS)
+    page.wait_for_selector(SPLASH, state="detached")
 
 
 def run_all(page: Page, seconds: float = 180) -> None:
@@ -120,6 +124,7 @@ def set_theme(page: Page, theme: str) -> None:
     page.evaluate("theme => jupyterapp.commands.execute('apputils:change-theme', {theme})", theme)
     light = str("Light" in theme).lower()
     page.wait_for_selector(f"body[data-jp-theme-light='{light}']", state="attached")
+    page.wait_for_selector(SPLASH, state="detached")
 
 
 def run_code(page: Page, code: str) -> str:
