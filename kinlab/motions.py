@@ -147,13 +147,18 @@ def stack(rows: Sequence[Sequence[Any]]) -> np.ndarray:
     for i, row in enumerate(rows):
         for j, entry in enumerate(row):
             matrix[..., i, j] = entry
-    return matrix
+    return _exact_wholes(matrix) if symbolic else matrix
 
 
 def matrix(frame: Frame) -> np.ndarray:
     """The homogeneous matrix (..., 4, 4) of a frame."""
     columns = (*frame.settled(), frame.origin)
     return stack([*zip(*columns), (0, 0, 0, 1)])
+
+
+# Beside symbols 1.0 becomes 1: nobody wants to read 1.0*cos(theta).
+_exact_wholes = np.frompyfunc(
+    lambda entry: int(entry) if isinstance(entry, float) and entry.is_integer() else entry, 1, 1)
 
 
 def _product(a: Any, b: Any) -> Any:
