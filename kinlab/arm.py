@@ -2,7 +2,6 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Any
@@ -260,17 +259,18 @@ def _limits(limits: Any) -> tuple[float, float]:
 
 
 def _links(links: Any) -> tuple[Link, ...]:
-    links = tuple(links) if isinstance(links, Iterable) else ()
-    if not links or not all(isinstance(link, Link) for link in links):
+    try:
+        rows = tuple(links)
+    except TypeError:
+        rows = ()
+    if not rows or not all(isinstance(link, Link) for link in rows):
         raise ValueError("links: expected at least one link, "
                          f"got {checks.brief(links)}; make them with revolute() and prismatic()")
-    return links
+    return rows
 
 
 def _pose(end: str, T: Any) -> np.ndarray:
     T = np.eye(4) if T is None else checks.rigid(end, T)
-    if T.ndim != 2:
-        raise ValueError(f"{end}: expected one 4x4 matrix, got shape {T.shape}")
     T.flags.writeable = False
     return T
 

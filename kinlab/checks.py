@@ -1,32 +1,40 @@
 """Refuse bad input once, at the public entry, in one sentence a student understands."""
 from __future__ import annotations
 
+import math
 from typing import Any
 
 import numpy as np
 
 RIGID_TOLERANCE = 1e-6
+# Far beyond any arm; products of three such numbers are still finite.
+LARGEST = 1e100
 
 
 def real_array(name: str, value: Any, expected: str) -> np.ndarray:
     """The value as a new array of finite floats, or a ValueError that says what was wrong."""
     try:
         array = np.asarray(value)
-        if array.dtype.kind in "USMmc":  # numpy would read the text "1" as a number
+        if array.dtype.kind in "USMmcV":  # numpy would read the text "1" as a number
             raise TypeError
         array = np.array(array, dtype=float)
-    except (TypeError, ValueError):
-        raise ValueError(f"{name}: expected {expected}, got {brief(value)}; give plain numbers") from None
-    if not np.all(np.isfinite(array)):
+    except (TypeError, ValueError, OverflowError):
+        raise ValueError(f"{name}: expected {expected}, got {brief(value)}; "
+                         "give plain numbers") from None
+    largest = max(np.max(array, initial=0.0), -np.min(array, initial=0.0))
+    if not np.isfinite(largest):
         raise ValueError(f"{name}: expected finite numbers, got {brief(value)}; "
                          "look for a division by zero or an empty cell")
+    if largest > LARGEST:
+        raise ValueError(f"{name}: expected numbers up to {LARGEST:g}, got {brief(value)}; "
+                         "look for a slip in a unit or an exponent")
     return array
 
 
 def shaped(name: str, value: Any, shape: tuple[int, ...], expected: str) -> np.ndarray:
-    """A finite array whose last axes have exactly the given shape."""
+    """A finite array of exactly the given shape."""
     array = real_array(name, value, expected)
-    if array.shape[array.ndim - len(shape):] != shape:
+    if array.shape != shape:
         raise ValueError(f"{name}: expected {expected}, got shape {array.shape}")
     return array
 
@@ -58,9 +66,9 @@ def rotation(name: str, value: Any) -> np.ndarray:
 def rigid(name: str, value: Any) -> np.ndarray:
     """A rigid 4x4 homogeneous matrix: a rotation, an origin and the row 0 0 0 1."""
     matrix = shaped(name, value, (4, 4), "a 4x4 homogeneous matrix")
-    rotation(f"{name}[:3, :3]", matrix[..., :3, :3])
-    if np.any(np.abs(matrix[..., 3, :] - [0, 0, 0, 1]) > RIGID_TOLERANCE):
-        raise ValueError(f"{name}: expected the last row 0 0 0 1, got {matrix[..., 3, :].tolist()}")
+    rotation(f"{name}[:3, :3]", matrix[:3, :3])
+    if np.any(np.abs(matrix[3] - [0, 0, 0, 1]) > RIGID_TOLERANCE):
+        raise ValueError(f"{name}: expected the last row 0 0 0 1, got {matrix[3].tolist()}")
     return matrix
 
 
@@ -80,8 +88,11 @@ def brief(value: Any, most: int = 60) -> str:
 
 def components(name: str, value: Any, expected: str) -> np.ndarray:
     """An array of finite numbers or of sympy expressions."""
-    array = np.asarray(value)
-    if array.dtype == object and any(_is_open(entry) for entry in array.flat):
+    try:
+        array = np.asarray(value)
+    except ValueError:  # rows of different lengths
+        return real_array(name, value, expected)
+    if has_symbols(array):
         if all(_is_open(entry) or _is_finite(entry) for entry in array.flat):
             return array
         raise ValueError(f"{name}: expected {expected}, got {brief(value)}; "
@@ -91,8 +102,23 @@ def components(name: str, value: Any, expected: str) -> np.ndarray:
     return real_array(name, value, expected)
 
 
+def has_symbols(array: np.ndarray) -> bool:
+    """True where a sympy symbol stands in place of a number."""
+    return array.dtype == object and any(map(_is_open, array.flat))
+
+
+def fit_together(names: str, *shapes: tuple[int, ...]) -> None:
+    """Leading axes that broadcast: one pose for all, or equally many of each."""
+    try:
+        np.broadcast_shapes(*shapes)
+    except ValueError:
+        raise ValueError(f"{names}: expected leading axes that fit together, got "
+                         f"{' and '.join(map(str, shapes))}; give one for all, "
+                         "or equally many of each") from None
+
+
 def _is_open(entry: Any) -> bool:
-    return bool(getattr(entry, "free_symbols", False))
+    return hasattr(entry, "as_coefficient") and bool(entry.free_symbols)
 
 
 def _is_exact(entry: Any) -> bool:
@@ -101,6 +127,6 @@ def _is_exact(entry: Any) -> bool:
 
 def _is_finite(entry: Any) -> bool:
     try:
-        return bool(np.isfinite(float(entry)))
-    except (TypeError, ValueError):
+        return not isinstance(entry, str) and math.isfinite(float(entry))
+    except (TypeError, ValueError, OverflowError):
         return False

@@ -129,6 +129,9 @@ def zyz_matrix(phi: Any, theta: Any, psi: Any) -> np.ndarray:
            [ 0.,  1.,  0.],
            [ 0.,  0., -1.]])
     """
+    phi, theta, psi = (checks.components(name, angle, "an angle in radians") for name, angle
+                       in (("phi", phi), ("theta", theta), ("psi", psi)))
+    checks.fit_together("phi, theta, psi", phi.shape, theta.shape, psi.shape)
     return rotation_z(phi) @ rotation_y(theta) @ rotation_z(psi)
 
 

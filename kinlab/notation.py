@@ -54,14 +54,14 @@ class _Writer:
             inner = sp.Add(*(sp.Mul(*(f for f in sp.Mul.make_args(term) if f not in shared))
                              for term in terms))
             return self._term(sp.Mul(*shared, inner, evaluate=False))
-        pure = all(abs(term.as_coeff_Mul()[0]) == 1 and not self._last_length(term)
+        pure = all(abs(_constant(term)) == 1 and not self._last_length(term)
                    for term in terms)
         order = (lambda term: (-_degree(term), self._term_order(term))) if pure \
             else self._term_order
         return " + ".join(map(self._term, sorted(terms, key=order))).replace("+ -", "- ")
 
     def _term(self, term: sp.Expr) -> str:
-        coefficient, _ = term.as_coeff_Mul()
+        coefficient = _constant(term)
         factors = [self._factor(f) for f in sorted(_factors(term), key=self._factor_order)]
         sign = "-" if coefficient < 0 else ""
         if abs(coefficient) != 1 or not factors:
@@ -85,7 +85,7 @@ class _Writer:
             return sp.latex(function) if self.style is LATEX else sp.sstr(function)
         signs = [sign for _, sign in places]
         if all(sign > 0 for sign in signs):
-            joiner = "," if places[-1][0] > 9 else ""
+            joiner = "," if len(self.places) > 9 else ""  # C12 there is cos(theta_12)
             return self.style.symbol(letter, joiner.join(str(place) for place, _ in places))
         index = "".join(f"{'+' if sign > 0 else '-'}{place}" for place, sign in places)
         return self.style.symbol(letter, f"({index.lstrip('+')})")
@@ -101,10 +101,13 @@ class _Writer:
         return sorted(places)
 
     def _number(self, number: sp.Expr) -> str:
-        if not isinstance(number, sp.Rational):
+        if number.has(sp.Float):
             return f"{float(number):.6g}"
-        if number.q == 1 or (set(sp.factorint(number.q)) <= {2, 5} and number.q <= 10**9):
-            return _decimal(number)
+        if not number.is_Rational:
+            surd = sp.latex(number) if self.style is LATEX else sp.sstr(number)
+            return self.style.group.format(surd) if number.is_Add else surd
+        if set(sp.factorint(number.q)) <= {2, 5}:
+            return _decimal(number) if number.q <= 10**9 else f"{float(number):.12g}"
         return self.style.fraction.format(number.p, number.q)
 
     def _factor_order(self, factor: sp.Expr) -> tuple:
@@ -128,6 +131,11 @@ class _Writer:
 
 def _factors(term: sp.Expr) -> list[sp.Expr]:
     return [factor for factor in sp.Mul.make_args(term) if not factor.is_number]
+
+
+def _constant(term: sp.Expr) -> sp.Expr:
+    """The number in front of a term: -177.8, or sqrt(3)/2 for an angle of 30 degrees."""
+    return sp.expand(sp.Mul(*(factor for factor in sp.Mul.make_args(term) if factor.is_number)))
 
 
 def _degree(expression: sp.Expr) -> int:

@@ -8,6 +8,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass, replace
 from functools import cached_property
+from numbers import Integral
 
 import sympy as sp
 
@@ -125,7 +126,7 @@ def exact_length(length: float) -> sp.Expr:
 def _stretch(arm: Arm, start: int, stop: int | None) -> tuple[int, int]:
     """Slice of `arm.chain` from frame start to frame stop."""
     end = arm.n if stop is None else stop
-    if not all(isinstance(k, int) for k in (start, end)) or not 0 <= start <= end <= arm.n:
+    if not all(isinstance(k, Integral) for k in (start, end)) or not 0 <= start <= end <= arm.n:
         raise ValueError(f"start, stop: expected frames 0 <= start <= stop <= {arm.n}, "
                          f"got start={start!r}, stop={stop!r}")
     return (start + 1 if start else 0), (arm.n + 2 if stop is None else end + 1)

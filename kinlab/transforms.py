@@ -96,6 +96,7 @@ def homogeneous(R: Any, o: Any) -> np.ndarray:
     if n not in (2, 3) or R.shape[-2:] != (n, n) or o.shape[-1:] != (n,):
         raise ValueError("R, o: expected shapes (..., 2, 2) and (..., 2), or (..., 3, 3) and "
                          f"(..., 3), got {R.shape} and {o.shape}")
+    checks.fit_together("R, o", R.shape[:-2], o.shape[:-1])
     _check_rotation("R", R)
     rows = [[R[..., i, j] for j in range(n)] + [o[..., i]] for i in range(n)]
     return stack([*rows, [0] * n + [1]])
@@ -168,6 +169,7 @@ def apply(T: Any, p: Any) -> np.ndarray:
     if p.shape[-1:] != o.shape[-1:]:
         raise ValueError(f"p: expected shape (..., {o.shape[-1]}) for this T, got {p.shape}; "
                          "leave out the 1 that augments a point")
+    checks.fit_together("T, p", o.shape[:-1], p.shape[:-1])
     return _times(R, p) + o
 
 
@@ -187,6 +189,7 @@ def compose(*transforms: Any) -> np.ndarray:
         matrices.append(homogeneous(R, o))
     if len({T.shape[-1] for T in matrices}) > 1:
         raise ValueError("transforms: expected all planar (3x3) or all spatial (4x4), got both")
+    checks.fit_together("transforms", *(T.shape[:-2] for T in matrices))
     return reduce(np.matmul, matrices)
 
 
@@ -205,8 +208,7 @@ def _parts(name: str, T: Any) -> tuple[np.ndarray, np.ndarray]:
     if n not in (2, 3) or T.shape[-2] != n + 1:
         raise ValueError(f"{name}: expected shape (..., 3, 3) or (..., 4, 4), got {T.shape}")
     last_row = [0] * n + [1]
-    if not np.all(np.isclose(T[..., n, :].astype(float), last_row)
-                  if T.dtype != object else T[..., n, :] == last_row):
+    if checks.has_symbols(T[..., n, :]) or not np.allclose(T[..., n, :].astype(float), last_row):
         raise ValueError(f"{name}: expected the last row {' '.join(map(str, last_row))} of a "
                          "homogeneous matrix; for a bare rotation use its transpose and R @ p")
     _check_rotation(name, T[..., :n, :n])
@@ -214,7 +216,7 @@ def _parts(name: str, T: Any) -> tuple[np.ndarray, np.ndarray]:
 
 
 def _check_rotation(name: str, R: np.ndarray) -> None:
-    if R.dtype != object:  # symbols are checked where numbers take their place
+    if not checks.has_symbols(R):  # symbols are checked where numbers take their place
         checks.rotation(name, R)
 
 
