@@ -1,0 +1,431 @@
+// Moves the SVG that matplotlib drew. `mount` knows nothing of Jupyter: it takes the SVG, the
+// scene (kinlab/scene.py) and the joints to read, write and listen to. `render`, at the end,
+// ties it to ipywidgets' sliders.
+
+// ---- geometry: the frame recurrence of kinlab/motions.py, projected as in kinlab/draw.py ----
+
+const ROTATE = 0;
+
+/** Every frame along the motions at joint values q: [x, y, z, origin], each a triple. */
+export function frames(motions, q) {
+  let frame = [[1, 0, 0], [0, 1, 0], [0, 0, 1], [0, 0, 0]];
+  const all = [frame];
+  for (const [kind, axis, amount, joint] of motions) {
+    const value = joint < 0 ? amount : amount + q[joint];
+    frame = frame.slice();
+    if (kind === ROTATE) {
+      const i = (axis + 1) % 3, j = (axis + 2) % 3, c = Math.cos(value), s = Math.sin(value);
+      const [u, v] = [frame[i], frame[j]];
+      frame[i] = u.map((_, k) => c * u[k] + s * v[k]);
+      frame[j] = u.map((_, k) => c * v[k] - s * u[k]);
+    } else {
+      frame[3] = frame[3].map((o, k) => o + value * frame[axis][k]);
+    }
+    all.push(frame);
+  }
+  return all;
+}
+
+const inRoom = ([x, y, z, o], [a, b, c]) => o.map((_, k) => o[k] + a * x[k] + b * y[k] + c * z[k]);
+
+/** A function that takes points of the room to [right, down, nearness] on the picture. */
+export function projector(scene, camera) {
+  const [a, e] = [camera.azimuth, camera.elevation].map((angle) => angle * Math.PI / 180);
+  const [ca, sa, ce, se] = [Math.cos(a), Math.sin(a), Math.cos(e), Math.sin(e)];
+  const [[width, height], scale] = [scene.size, scene.scale * camera.zoom];
+  return (p) => {
+    const [x, y, z] = p.map((v, k) => v - scene.center[k]);
+    const forward = ca * x + sa * y;
+    return [width / 2 + scale * (ca * y - sa * x),
+            height / 2 - scale * (ce * z - se * forward), ce * forward + se * z];
+  };
+}
+
+const corner = ([x, y]) => `${x.toFixed(2)} ${y.toFixed(2)}`;
+const polyline = (points) => `M ${points.map(corner).join(" L ")}`;
+
+function face(points) {
+  const area = points.reduce((sum, [x, y], k) => {
+    const [u, v] = points[(k + 1) % points.length];
+    return sum + x * v - u * y;
+  }, 0);
+  return area < 0 ? `${polyline(points)} Z` : "";   // y points down
+}
+
+function arrow([tail, tip]) {
+  const [dx, dy] = [tip[0] - tail[0], tip[1] - tail[1]], length = Math.hypot(dx, dy);
+  const [ux, uy] = length > 1e-9 ? [dx / length, dy / length] : [0, 0];
+  const head = Math.min(9, 0.5 * length), side = 0.36 * head;
+  const neck = [tip[0] - head * ux, tip[1] - head * uy];
+  const wing = (s) => [neck[0] - s * side * uy, neck[1] + s * side * ux];
+  return polyline([tail, neck, wing(1), tip, wing(-1), neck, tail]);
+}
+
+const turn = (o, a, b) => (a[0] - o[0]) * (b[1] - o[1]) - (a[1] - o[1]) * (b[0] - o[0]);
+
+function hull(points) {                             // Andrew's monotone chain
+  const ordered = [...points].sort((p, q) => p[0] - q[0] || p[1] - q[1]);
+  const half = (chain) => {
+    const kept = [];
+    for (const p of chain) {
+      while (kept.length > 1 && turn(kept.at(-2), kept.at(-1), p) <= 0) kept.pop();
+      kept.push(p);
+    }
+    return kept.slice(0, -1);
+  };
+  return `${polyline([...half(ordered), ...half(ordered.reverse())])} Z`;
+}
+
+const PATHS = { line: polyline, trace: polyline, face, arrow, solid: hull };
+
+// ---- picture: sets the SVG's attributes, and puts nearer groups over farther ones ----
+
+const TRACE_LENGTH = 4000;
+
+class Picture {
+  constructor(svg, scene) {
+    this.svg = svg;
+    this.scene = scene;
+    this.items = scene.items.map((item) => {
+      const group = svg.getElementById(item.gid);
+      group.classList.add(`kl-${item.style}`, `kl-shape-${item.shape}`);
+      return { ...item, group, node: group.querySelector(item.shape === "text" ? "text" : "path") };
+    });
+    this.bodies = this.items.filter((item) => item.body >= 0);
+    this.parent = this.items[0].group.parentNode;
+    this.order = "";
+    this.path = [];
+    this.reset(Object.keys(scene.presets)[0]);
+  }
+
+  reset(preset) {
+    const [azimuth, elevation] = this.scene.presets[preset];
+    this.camera = { azimuth, elevation, zoom: 1 };
+  }
+
+  show(layer, visible) {
+    if (layer === "trace") this.path = [];
+    for (const { group } of this.items.filter((item) => item.layer === layer)) {
+      group.style.display = visible ? "" : "none";
+    }
+  }
+
+  draw(q) {
+    const at = frames(this.scene.motions, q), project = projector(this.scene, this.camera);
+    const depths = new Map();
+    this.follow(at.at(-1)[3]);
+    for (const item of this.items) {
+      const room = item.shape === "trace" ? this.path
+        : item.points.map(([k, ...local]) => inRoom(at[k], local));
+      const points = room.map(project);
+      this.set(item, points);
+      if (item.body >= 0) {
+        const near = item.lift + points.reduce((sum, p) => sum + p[2], 0) / points.length;
+        depths.set(item.body, [...(depths.get(item.body) ?? []), near]);
+      }
+    }
+    this.stack(depths);
+    return at[this.scene.tip];
+  }
+
+  set({ shape, node }, points) {
+    if (shape !== "text") return node.setAttribute("d", PATHS[shape](points));
+    const [x, y] = points[0];
+    node.removeAttribute("transform");
+    node.setAttribute("x", x.toFixed(2));
+    node.setAttribute("y", (y + 4).toFixed(2));    // half the height of the letters
+  }
+
+  follow(tip) {
+    const last = this.path.at(-1);
+    if (last && Math.hypot(...tip.map((v, k) => v - last[k])) * this.scene.scale < 0.2) return;
+    this.path.push(tip);
+    if (this.path.length > TRACE_LENGTH) this.path.shift();
+  }
+
+  stack(depths) {
+    const mean = new Map([...depths].map(([body, near]) =>
+      [body, near.reduce((sum, d) => sum + d, 0) / near.length]));
+    const sorted = [...this.bodies].sort((a, b) => mean.get(a.body) - mean.get(b.body));
+    const order = sorted.map((item) => item.body).join();
+    if (order === this.order) return;
+    this.order = order;
+    this.parent.append(...sorted.map((item) => item.group));
+  }
+}
+
+// ---- the pointer and the keys: drag or arrows orbit, wheel or +/- zooms, double click resets ----
+
+function orbit(box, picture, redraw, resetView) {
+  const { camera: limits } = { camera: { low: -90, high: 90 } };
+  const rotate = (right, up) => {
+    const camera = picture.camera;
+    camera.azimuth -= right;
+    camera.elevation = Math.max(limits.low, Math.min(limits.high, camera.elevation + up));
+    redraw();
+  };
+  const zoom = (factor) => {
+    picture.camera.zoom = Math.max(0.4, Math.min(8, picture.camera.zoom * factor));
+    redraw();
+  };
+  let last = null, scrolled = 0;
+  box.addEventListener("pointerdown", (event) => {
+    last = [event.clientX, event.clientY];
+    box.setPointerCapture(event.pointerId);
+  });
+  box.addEventListener("pointermove", (event) => {
+    if (!last) return;
+    rotate((event.clientX - last[0]) * 0.5, (event.clientY - last[1]) * 0.5);
+    last = [event.clientX, event.clientY];
+  });
+  for (const end of ["pointerup", "pointercancel"]) box.addEventListener(end, () => { last = null; });
+  box.addEventListener("dblclick", resetView);
+  box.addEventListener("wheel", (event) => {
+    if (event.timeStamp - scrolled < 250) { scrolled = event.timeStamp; return; }
+    event.preventDefault();
+    zoom(Math.exp(-event.deltaY * 0.0015));
+  }, { passive: false });
+  // A page that is being scrolled past the picture goes on scrolling.
+  const elsewhere = (event) => { if (!box.contains(event.target)) scrolled = event.timeStamp; };
+  document.addEventListener("wheel", elsewhere, { passive: true, capture: true });
+  const keys = {
+    ArrowLeft: () => rotate(-5, 0), ArrowRight: () => rotate(5, 0),
+    ArrowUp: () => rotate(0, 5), ArrowDown: () => rotate(0, -5),
+    "+": () => zoom(1.15), "=": () => zoom(1.15), "-": () => zoom(1 / 1.15), 0: resetView,
+  };
+  box.addEventListener("keydown", (event) => {
+    if (!keys[event.key] || event.ctrlKey || event.metaKey || event.altKey) return;
+    keys[event.key]();
+    event.preventDefault();
+    event.stopPropagation();                       // the notebook has uses for these keys too
+  });
+  return () => document.removeEventListener("wheel", elsewhere, { capture: true });
+}
+
+// ---- panels: buttons, the table of the tool's pose, the line of remarks ----
+
+const make = (tag, attributes = {}, ...children) => {
+  const node = document.createElement(tag);
+  for (const [name, value] of Object.entries(attributes)) node.setAttribute(name, value);
+  node.append(...children);
+  return node;
+};
+
+function toolbar(groups) {
+  const bar = make("div", { class: "kl-toolbar", role: "toolbar", "aria-label": "View" });
+  for (const [label, ...buttons] of groups) {
+    const group = make("span", { class: "kl-group", role: "group", "aria-label": label });
+    for (const [text, title, action] of buttons) {
+      const button = make("button", { type: "button", class: "kl-button", title }, text);
+      button.addEventListener("click", () => action(button));
+      group.append(button);
+    }
+    bar.append(group);
+  }
+  return bar;
+}
+
+function poseTable({ pose }) {
+  const columns = ["n", "s", "a", "p"];
+  const titles = ["normal vector", "sliding vector", "approach vector", "position"];
+  const head = make("tr", {}, ...columns.map((c, k) =>
+    make("th", { class: `kl-column-${c}`, scope: "col", title: titles[k] },
+         c === "p" && pose.unit ? `p (${pose.unit})` : c)));
+  const cells = [0, 1, 2, 3].map(() => columns.map((c) => make("td", { class: `kl-column-${c}` })));
+  const table = make("table", { class: "kl-pose" }, make("caption", {}, pose.title),
+    make("thead", {}, head),
+    make("tbody", {}, ...cells.map((row) => make("tr", {}, ...row))));
+  const show = (value, decimals) => {
+    const text = value.toFixed(decimals);
+    return Number(text) === 0 ? (0).toFixed(decimals) : text.replace("-", "\u2212");
+  };
+  const update = (tool) => {
+    for (let i = 0; i < 3; i++) {
+      for (let j = 0; j < 4; j++) {
+        cells[i][j].textContent = show(tool[j][i], j < 3 ? 3 : pose.decimals);
+      }
+    }
+  };
+  cells[3].forEach((cell, j) => { cell.textContent = j < 3 ? "0" : "1"; });
+  return { table, update };
+}
+
+// ---- movement between poses ----
+
+const smooth = (t) => t * t * t * (10 - 15 * t + 6 * t * t);   // starts and ends at rest
+
+class Mover {
+  constructor(joints, onStop) {
+    Object.assign(this, { joints, onStop, request: 0, writing: false });
+  }
+
+  /** Move through poses, each in `duration` ms, for ever if `loop`. */
+  start(poses, duration, loop = false) {
+    this.stop();
+    if (matchMedia("(prefers-reduced-motion: reduce)").matches) duration = 0;
+    let from = this.joints.read(), next = 0, began = performance.now();
+    const step = (now) => {
+      const t = duration ? Math.max(0, Math.min(1, (now - began) / duration)) : 1;
+      const to = poses[next], s = smooth(t);
+      this.write(t < 1 ? from.map((q, i) => q + s * (to[i] - q)) : to);
+      if (t === 1) {
+        [from, began, next] = [to, now, next + 1];
+        if (next === poses.length) {
+          if (!loop || !duration) return this.stop();
+          next = 0;
+        }
+      }
+      this.request = requestAnimationFrame(step);
+    };
+    this.request = requestAnimationFrame(step);
+  }
+
+  write(q) {
+    this.writing = true;
+    this.joints.write(q);
+    this.writing = false;
+  }
+
+  stop() {
+    cancelAnimationFrame(this.request);
+    this.request = 0;
+    this.onStop();
+  }
+}
+
+// ---- mount: one live arm in one element ----
+
+const MOVE = 700, TOUR = 900;                       // ms from pose to pose
+
+/**
+ * Show a live arm.
+ * @param element where to put it
+ * @param svg the picture as matplotlib drew it, SVG text
+ * @param scene plain data from kinlab's Scene and view (see live.py)
+ * @param joints { read() -> q, write(q), listen(callback) -> stop }, in radians and lengths
+ * @returns { note(text), dismount() }
+ */
+export function mount(element, svg, scene, joints) {
+  const box = make("div", { class: "kl-picture", tabindex: "0", role: "application",
+    "aria-label": `${scene.name}: picture of the arm. Arrow keys turn the view, ` +
+                  "plus and minus zoom, 0 resets." });
+  box.innerHTML = svg;
+  const picture = new Picture(box.querySelector("svg"), scene);
+  picture.svg.setAttribute("role", "img");
+  picture.svg.removeAttribute("width");
+  picture.svg.removeAttribute("height");
+  const pose = poseTable(scene);
+  const remark = make("div", { class: "kl-remark", role: "status" });
+
+  let preset = scene.preset, pending = 0, described = 0, note = "";
+  const remarks = () => {
+    const text = note || scene.joints.filter(({ low, high }, i) => {
+      const [q, slack] = [joints.read()[i], 1e-6 * (high - low)];
+      return q <= low + slack || q >= high - slack;
+    }).map((joint) => `${joint.label} is at its limit`).join(", ");
+    if (remark.textContent !== text) remark.textContent = text;
+  };
+  const describe = () => {
+    const [x, y, z] = pose.table.querySelectorAll(".kl-column-p:is(td)");
+    picture.svg.setAttribute("aria-label", `${scene.name}, tool at ` +
+      `${[x, y, z].map((cell) => cell.textContent).join(", ")} ${scene.pose.unit}`);
+  };
+  const draw = () => {
+    pending = 0;
+    pose.update(picture.draw(joints.read()));
+    remarks();
+    clearTimeout(described);
+    described = setTimeout(describe, 400);          // a screen reader need not hear every step
+  };
+  const redraw = () => { pending ||= requestAnimationFrame(draw); };
+  const look = (name) => { preset = name; picture.reset(name); redraw(); };
+
+  let play = null;
+  const mover = new Mover(joints, () => {
+    play?.replaceChildren("▶ Play");
+    play?.setAttribute("aria-pressed", "false");
+  });
+  const whole = () => element.closest(".kl-view") ?? element;
+  const switches = scene.layers.map(({ layer, label, title, on }) => [label, title, (button) => {
+    const pressed = button.getAttribute("aria-pressed") !== "true";
+    button.setAttribute("aria-pressed", pressed);
+    picture.show(layer, pressed);
+    redraw();
+  }, layer, on]);
+  const bar = toolbar([
+    ["Move", ["Home", "Move to the home pose", () => mover.start([scene.home], MOVE)],
+      ["Zero", "Set every joint to zero", () => mover.start([scene.zero], MOVE)],
+      ["▶ Play", "Move smoothly from pose to pose", () => {
+        if (mover.request) return mover.stop();
+        mover.start(scene.poses, TOUR, true);
+        play.replaceChildren("❚❚ Pause");
+        play.setAttribute("aria-pressed", "true");
+      }]],
+    ["View", ...Object.keys(scene.presets).map((name) =>
+      [name[0].toUpperCase() + name.slice(1), `View: ${name}`, () => look(name)])],
+    ["Show", ...switches],
+    ["Screen", ["⛶ Full screen", "Fill the screen, with large type", () =>
+      document.fullscreenElement ? document.exitFullscreen() : whole().requestFullscreen()]],
+  ]);
+  play = bar.querySelectorAll("button")[2];
+  const buttons = [...bar.querySelectorAll('[aria-label="Show"] button')];
+  switches.forEach(([, , , layer, on], k) => {
+    buttons[k].setAttribute("aria-pressed", on);
+    picture.show(layer, on);
+  });
+
+  element.classList.add("kl-live");
+  element.append(bar, box, pose.table, remark);
+  const release = orbit(box, picture, redraw, () => look(preset));
+  const silence = joints.listen(() => {
+    if (mover.request && !mover.writing) mover.stop();   // a hand on a slider takes over
+    redraw();
+  });
+  look(preset);
+  draw();
+  return {
+    note(text) { note = text; remarks(); },
+    dismount() {
+      mover.stop();
+      silence();
+      release();
+      cancelAnimationFrame(pending);
+      clearTimeout(described);
+      element.replaceChildren();
+    },
+  };
+}
+
+// ---- Jupyter: the joints are ipywidgets' sliders, in degrees or lengths ----
+
+const SAVE_EVERY = 100;                             // ms between messages to Python while moving
+
+async function sliderJoints(model, { joints }) {
+  const sliders = await Promise.all(model.get("sliders").map((reference) =>
+    model.widget_manager.get_model(reference.slice("IPY_MODEL_".length))));
+  let timer = 0;
+  const save = () => { timer = 0; sliders.forEach((slider) => slider.save_changes()); };
+  return {
+    read: () => sliders.map((slider, i) => slider.get("value") * joints[i].scale),
+    write(q) {
+      sliders.forEach((slider, i) => slider.set("value", q[i] / joints[i].scale));
+      timer ||= setTimeout(save, SAVE_EVERY);
+    },
+    listen(callback) {
+      sliders.forEach((slider) => slider.on("change:value", callback));
+      return () => sliders.forEach((slider) => slider.off("change:value", callback));
+    },
+  };
+}
+
+async function render({ model, el }) {
+  const scene = model.get("scene");
+  const joints = await sliderJoints(model, scene);
+  const live = mount(el, model.get("svg"), scene, joints);
+  const remark = () => live.note(model.get("note"));
+  model.on("change:note", remark);
+  remark();
+  return () => { model.off("change:note", remark); live.dismount(); };
+}
+
+export default { render };

@@ -1,0 +1,302 @@
+"""What is drawn of an arm: one list of items that matplotlib draws and the browser moves.
+
+A scene holds the arm's elementary motions and, for each item, the points it is made of, each in
+one of the frames along those motions (frame k stands after the first k motions). Whoever can
+follow the motions and project points can draw the scene at any pose.
+"""
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from .arm import PRISMATIC, REVOLUTE, Arm
+from .kinematics import forward_kinematics, link_frames
+from .motions import TRANSLATE, Frame, Motion, along, follow, matrix
+
+LINE, FACE, SOLID, ARROW, TEXT, TRACE = "line", "face", "solid", "arrow", "text", "trace"
+PRESETS = {"3-D": (35.0, 22.0), "top": (-90.0, 90.0), "front": (-90.0, 0.0), "side": (0.0, 0.0)}
+LAYERS = ("frames", "labels", "axes", "trace", "ghost")
+SIZE = (560.0, 480.0)
+_AXES = np.eye(3)
+_SIDES = 20
+
+Point = tuple[int, float, float, float]
+
+
+@dataclass(frozen=True)
+class Item:
+    """One drawn thing.
+
+    `shape` says how its points become a path, `style` how that is painted, `layer` which switch
+    shows it ('' for always), and items of one `body` stay together when nearer ones are
+    laid over farther ones (body -1 lies under everything, in its order). `lift` brings a body
+    nearer to the viewer than it is (length unit): a joint covers the link that ends in it, and
+    frames stay readable on the arm.
+    """
+
+    gid: str
+    shape: str
+    style: str
+    points: tuple[Point, ...]
+    body: int = -1
+    layer: str = ""
+    text: str = ""
+    lift: float = 0.0
+
+
+@dataclass(frozen=True)
+class Scene:
+    """All that is needed to draw an arm at any pose, from any side."""
+
+    motions: tuple[Motion, ...]
+    items: tuple[Item, ...]
+    tip: int
+    center: tuple[float, float, float]
+    radius: float
+    size: tuple[float, float] = SIZE
+    presets: dict[str, tuple[float, float]] = field(default_factory=lambda: dict(PRESETS))
+
+    @property
+    def scale(self) -> float:
+        """Pixels per length unit: the sphere around the reach just fits the picture."""
+        return min(self.size) / 2 / self.radius
+
+    def frames(self, q: Sequence[float]) -> np.ndarray:
+        """Pose of every frame along the motions, shape (len(motions) + 1, 4, 4)."""
+        steps = ((), *((motion,) for motion in self.motions))
+        return np.stack([matrix(frame) for frame in along(steps, list(q))])
+
+    def data(self) -> dict:
+        """The scene as plain data for the browser."""
+        return {
+            "motions": [[int(m.kind == TRANSLATE), m.axis, float(m.amount),
+                         -1 if m.joint is None else m.joint] for m in self.motions],
+            "items": [vars(item) for item in self.items],
+            "tip": self.tip, "center": self.center, "scale": self.scale, "size": self.size,
+            "presets": self.presets,
+        }
+
+
+def joint_range(arm: Arm, i: int) -> tuple[float, float]:
+    """Limits of joint i, or a range that shows what it does where the arm states none."""
+    link = arm.links[i]
+    if link.limits:
+        return link.limits
+    lengths = sum(abs(other.a) + abs(other.d) for other in arm.links)
+    return (-math.pi, math.pi) if link.kind == REVOLUTE else (0.0, float(lengths) or 1.0)
+
+
+def is_planar(arm: Arm) -> bool:
+    """True when all joints turn about parallel axes along the room's z."""
+    frames = link_frames(arm, np.full(arm.n, 0.3))
+    revolute = all(link.kind == REVOLUTE for link in arm.links)
+    return revolute and bool(np.allclose(np.abs(frames[:, 2, 2]), 1))
+
+
+def arm_scene(arm: Arm) -> Scene:
+    """The textbook drawing of an arm: joints, links, frames, axes, ground, trace, home."""
+    layout = _Layout(arm)
+    size = layout.radius * 0.9
+    items = [*_ground(layout, size), *_ghost(layout), *_links(layout), *_joints(layout),
+             *_gripper(layout), *_axes(layout, size), *_triads(layout, size), *_trace(layout)]
+    return Scene(tuple(layout.motions), tuple(items), len(layout.motions),
+                 tuple(map(float, layout.center)), layout.radius)
+
+
+class _Layout:
+    """Where the parts of an arm lie along its motions, and how large the drawing is."""
+
+    def __init__(self, arm: Arm) -> None:
+        self.arm = arm
+        self.motions: list[Motion] = []
+        self.paths: list[list[int]] = []     # frames at the corners of each stretch
+        self.joints = [0] * arm.n            # frame just before each joint moves
+        for stretch in arm.chain:
+            self.paths.append(self._walk(stretch))
+        self.ends = [path[-1] for path in self.paths]
+        self.center, self.radius = _reach(arm)
+        self.thick = 0.036 * self.radius
+        self.bodies = 0
+        self.home = [matrix(f) for f in along(((), *((m,) for m in self.motions)),
+                                              arm.home.tolist())]
+
+    def _walk(self, stretch: Iterable[Motion]) -> list[int]:
+        path = [len(self.motions)]
+        for motion in stretch:
+            if motion.idle:
+                continue
+            if motion.joint is not None:
+                self.joints[motion.joint] = len(self.motions)
+            self.motions.append(motion)
+            if motion.kind == TRANSLATE:
+                path.append(len(self.motions))
+        return [*path, len(self.motions)]
+
+    def body(self) -> int:
+        """A new number for things that stay together."""
+        self.bodies += 1
+        return self.bodies - 1
+
+
+def _reach(arm: Arm) -> tuple[np.ndarray, float]:
+    """Centre and radius of a sphere that holds the arm at every pose."""
+    ranges = np.array([joint_range(arm, i) for i in range(arm.n)])
+    poses = np.random.default_rng(0).uniform(*ranges.T, size=(2000, arm.n))
+    poses = np.vstack([poses, arm.home, np.clip(0, *ranges.T)])
+    points = np.concatenate([link_frames(arm, poses)[..., :3, 3].reshape(-1, 3),
+                             forward_kinematics(arm, poses)[..., :3, 3], np.zeros((1, 3))])
+    center = (points.min(axis=0) + points.max(axis=0)) / 2
+    center[np.abs(center) < 0.05 * np.ptp(points)] = 0
+    farthest = float(np.max(np.linalg.norm(points - center, axis=1)))
+    return center, 1.17 * farthest or 1.0  # room for the frames and for poses not sampled
+
+
+def _at(frame: int, *points: Iterable[float]) -> tuple[Point, ...]:
+    return tuple((frame, *(float(x) for x in point)) for point in points)
+
+
+def _ground(layout: _Layout, size: float) -> list[Item]:
+    step = _nice(size / 4)
+    steps = step * np.arange(-3, 4)
+    ends = [((x, steps[0], 0), (x, steps[-1], 0)) for x in steps]
+    ends += [((steps[0], y, 0), (steps[-1], y, 0)) for y in steps]
+    return [Item(f"ground-{k}", LINE, "ground", _at(0, *pair)) for k, pair in enumerate(ends)]
+
+
+def _ghost(layout: _Layout) -> list[Item]:
+    corners = [layout.home[k][:3, 3] for path in layout.paths for k in path]
+    return [Item("ghost", LINE, "ghost", _at(0, *corners), layer="ghost")]
+
+
+def _links(layout: _Layout) -> list[Item]:
+    items = []
+    for i, path in enumerate(layout.paths):
+        if len(set(path)) > 1:
+            sliding = 0 < i <= layout.arm.n and layout.arm.links[i - 1].kind == PRISMATIC
+            points = tuple(point for k in path for point in _at(k, (0, 0, 0)))
+            items.append(Item(f"link-{i}", LINE, "rod" if sliding else "link", points,
+                              layout.body()))
+    return items
+
+
+def _joints(layout: _Layout) -> list[Item]:
+    items, taken = [], []
+    for i, link in enumerate(layout.arm.links):
+        frame, body, t = layout.joints[i], layout.body(), layout.thick
+        place = _free_place(layout, i, taken)
+        solid = _box(place, t) if link.kind == PRISMATIC else _cylinder(place, t)
+        items += [Item(f"joint-{i + 1}-{k}", shape, style, _at(frame, *points), body,
+                       lift=1.5 * t)
+                  for k, (shape, style, points) in enumerate(solid)]
+    return items
+
+
+def _free_place(layout: _Layout, i: int, taken: list[np.ndarray]) -> float:
+    """Where along its axis a joint is drawn, so that it hides none drawn before."""
+    link, home, t = layout.arm.links[i], layout.home[layout.joints[i]], layout.thick
+    along_link = 0.35 * link.d if link.kind == REVOLUTE and abs(link.d) > 5 * t else 0.0
+    ahead = home[:3, :3].T @ (layout.home[-1][:3, 3] - home[:3, 3])
+    step = math.copysign(2.6 * t, ahead[2] if abs(ahead[2]) > t else -1)
+    for place in along_link + step * np.array([0, 1, -1, 2, -2]):
+        point = home[:3, 3] + place * home[:3, 2]
+        if all(np.linalg.norm(point - other) > 2 * t for other in taken):
+            break
+    taken.append(point)
+    return float(place)
+
+
+def _cylinder(place: float, t: float) -> list[tuple[str, str, np.ndarray]]:
+    angles = np.linspace(0, 2 * np.pi, _SIDES, endpoint=False)
+    ring = np.stack([t * np.cos(angles), t * np.sin(angles), np.zeros(_SIDES)], axis=-1)
+    top, bottom = ring + [0, 0, place + 1.25 * t], ring + [0, 0, place - 1.25 * t]
+    return [(SOLID, "joint", np.concatenate([top, bottom])), (FACE, "cap", top),
+            (FACE, "cap", bottom[::-1])]
+
+
+def _box(place: float, t: float) -> list[tuple[str, str, np.ndarray]]:
+    half = np.array([t, t, 1.7 * t])
+    faces = []
+    for axis in range(3):
+        u, v = _AXES[(axis + 1) % 3], _AXES[(axis + 2) % 3]
+        face = np.array([u + v, v - u, -u - v, u - v]) + _AXES[axis]
+        faces += [face, -face[::-1]]  # point mirrored and order reversed: still seen from outside
+    return [(FACE, "cap" if k > 3 else "joint", face * half + [0, 0, place])
+            for k, face in enumerate(faces)]
+
+
+def _gripper(layout: _Layout) -> list[Item]:
+    """Two fingers that close along y, reaching for the tool point along the last slide."""
+    frame, g = layout.ends[-1], 1.5 * layout.thick
+    approach = _approach(layout)
+    across = _AXES[1] if abs(approach[1]) < 0.9 else _AXES[0]
+    hand = [(0, 0.6), (-1, 0.6), (-1, -0.6), (0, -0.6)]
+    points = [g * (x * approach + y * across) for x, y in hand]
+    body = layout.body()
+    return [Item("gripper", LINE, "gripper", _at(frame, *points), body),
+            Item("tool", LINE, "tool", _at(frame, (0, 0, 0), (0, 0, 0)), body)]
+
+
+def _approach(layout: _Layout) -> np.ndarray:
+    """Direction of the last slide in the tool frame; z where a joint turns after it."""
+    turned = max(k for k, motion in enumerate(layout.motions) if motion.joint is not None)
+    slides = [k for k, m in enumerate(layout.motions) if m.kind == TRANSLATE and k >= turned]
+    if not slides:
+        return _AXES[2]
+    last = layout.motions[slides[-1]]
+    rest = matrix(follow(layout.motions[slides[-1] + 1:], (), Frame()))
+    sign = -1 if last.joint is None and last.amount < 0 else 1
+    return sign * rest[:3, :3].T @ _AXES[last.axis]
+
+
+def _axes(layout: _Layout, size: float) -> list[Item]:
+    return [Item(f"axis-{i + 1}", LINE, "axis",
+                 _at(frame, (0, 0, -0.3 * size), (0, 0, 0.3 * size)), layout.body(), "axes")
+            for i, frame in enumerate(layout.joints)]
+
+
+def _triads(layout: _Layout, size: float) -> list[Item]:
+    """Axes of frames 0 to n, and of the tool where it has a frame of its own."""
+    names = {str(i): end for i, end in enumerate(layout.ends[:-1])}
+    if layout.ends[-1] != layout.ends[-2]:
+        names["E"] = layout.ends[-1]
+    items: list[Item] = []
+    origins: list[np.ndarray] = []
+    for name, frame in names.items():
+        origin = layout.home[frame][:3, 3]
+        sharing = sum(np.linalg.norm(origin - other) < layout.thick for other in origins)
+        origins.append(origin)
+        items += _triad(layout, name, frame, 0.15 * size * (1 + 0.4 * sharing))
+    return items
+
+
+def _triad(layout: _Layout, name: str, frame: int, length: float) -> list[Item]:
+    items = []
+    for letter, axis in zip("xyz", _AXES):
+        body = layout.body()
+        items += [
+            Item(f"frame-{name}-{letter}", ARROW, letter,
+                 _at(frame, (0, 0, 0), length * axis), body, "frames",
+                 lift=4 * layout.thick),
+            Item(f"label-{name}-{letter}", TEXT, letter,
+                 _at(frame, (length + 0.35 * layout.thick + 0.02 * layout.radius) * axis), body,
+                 "labels", letter + subscript(name), lift=4 * layout.thick),
+        ]
+    return items
+
+
+def _trace(layout: _Layout) -> list[Item]:
+    return [Item("trace", TRACE, "trace", _at(layout.ends[-1], (0, 0, 0)), layer="trace")]
+
+
+def subscript(name: str) -> str:
+    """Digits lowered as in print: '12' becomes '₁₂'; the tool's E becomes 'ₑ'."""
+    return name.translate(str.maketrans("0123456789E", "₀₁₂₃₄₅₆₇₈₉ₑ"))
+
+
+def _nice(length: float) -> float:
+    """The largest of 1, 2, 5, 10, ... that is no longer than `length`."""
+    power = 10.0 ** math.floor(math.log10(length))
+    return max(step * power for step in (1, 2, 5) if step * power <= length)
