@@ -92,14 +92,12 @@ def components(name: str, value: Any, expected: str) -> np.ndarray:
         array = np.asarray(value)
     except ValueError:  # rows of different lengths
         return real_array(name, value, expected)
-    if has_symbols(array):
-        if all(_is_open(entry) or _is_finite(entry) for entry in array.flat):
-            return array
+    if array.dtype != object or not any(map(_is_sympy, array.flat)):
+        return real_array(name, value, expected)
+    if not all(_is_open(entry) or _is_finite(entry) for entry in array.flat):
         raise ValueError(f"{name}: expected {expected}, got {brief(value)}; "
                          "mix only symbols and finite numbers")
-    if array.dtype == object and all(map(_is_exact, array.flat)):
-        return array
-    return real_array(name, value, expected)
+    return array
 
 
 def has_symbols(array: np.ndarray) -> bool:
@@ -117,12 +115,12 @@ def fit_together(names: str, *shapes: tuple[int, ...]) -> None:
                          "or equally many of each") from None
 
 
+def _is_sympy(entry: Any) -> bool:
+    return hasattr(entry, "as_coefficient")  # an expression: equations and sets have none
+
+
 def _is_open(entry: Any) -> bool:
-    return hasattr(entry, "as_coefficient") and bool(entry.free_symbols)
-
-
-def _is_exact(entry: Any) -> bool:
-    return hasattr(entry, "free_symbols") and _is_finite(entry)
+    return _is_sympy(entry) and bool(entry.free_symbols)
 
 
 def _is_finite(entry: Any) -> bool:

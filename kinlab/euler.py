@@ -3,12 +3,14 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from functools import reduce
 from math import atan2, degrees, hypot, pi
 from typing import Any
 
 import numpy as np
 
 from . import checks
+from .motions import keep_whole
 from .transforms import rotation_y, rotation_z
 
 # Below this |sin(theta)| rounding noise in R would pass for phi and psi.
@@ -132,7 +134,8 @@ def zyz_matrix(phi: Any, theta: Any, psi: Any) -> np.ndarray:
     phi, theta, psi = (checks.components(name, angle, "an angle in radians") for name, angle
                        in (("phi", phi), ("theta", theta), ("psi", psi)))
     checks.fit_together("phi, theta, psi", phi.shape, theta.shape, psi.shape)
-    return rotation_z(phi) @ rotation_y(theta) @ rotation_z(psi)
+    turns = keep_whole(rotation_z(phi), rotation_y(theta), rotation_z(psi))
+    return reduce(np.matmul, turns)
 
 
 def _family(r11: float, r21: float, r33: float) -> ZYZAngles:

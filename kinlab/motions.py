@@ -147,7 +147,7 @@ def stack(rows: Sequence[Sequence[Any]]) -> np.ndarray:
     for i, row in enumerate(rows):
         for j, entry in enumerate(row):
             matrix[..., i, j] = entry
-    return _exact_wholes(matrix) if symbolic else matrix
+    return keep_whole(matrix)[0]
 
 
 def matrix(frame: Frame) -> np.ndarray:
@@ -156,15 +156,21 @@ def matrix(frame: Frame) -> np.ndarray:
     return stack([*zip(*columns), (0, 0, 0, 1)])
 
 
-# Beside symbols 1.0 becomes 1: nobody wants to read 1.0*cos(theta).
+def keep_whole(*arrays: np.ndarray) -> tuple[np.ndarray, ...]:
+    """The arrays; beside symbols 1.0 becomes 1: nobody wants to read 1.0*cos(theta)."""
+    if all(array.dtype != object for array in arrays):
+        return arrays
+    return tuple(_exact_wholes(array) for array in arrays)
+
+
 _exact_wholes = np.frompyfunc(
     lambda entry: int(entry) if isinstance(entry, float) and entry.is_integer() else entry, 1, 1)
 
 
 def _product(a: Any, b: Any) -> Any:
-    if type(a) is int:
+    if type(a) is int and -1 <= a <= 1:
         return b if a == 1 else (a and -b)
-    if type(b) is int:
+    if type(b) is int and -1 <= b <= 1:
         return a if b == 1 else (b and -a)
     return a * b
 

@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 
 from . import checks
-from .motions import Frame, X, Y, Z, cos_sin, matrix, stack
+from .motions import Frame, X, Y, Z, cos_sin, keep_whole, matrix, stack
 
 __all__ = ["apply", "compose", "homogeneous", "inverse", "rotation_2d", "rotation_x",
            "rotation_y", "rotation_z", "translation"]
@@ -170,6 +170,7 @@ def apply(T: Any, p: Any) -> np.ndarray:
         raise ValueError(f"p: expected shape (..., {o.shape[-1]}) for this T, got {p.shape}; "
                          "leave out the 1 that augments a point")
     checks.fit_together("T, p", o.shape[:-1], p.shape[:-1])
+    R, o, p = keep_whole(R, o, p)
     return _times(R, p) + o
 
 
@@ -190,7 +191,7 @@ def compose(*transforms: Any) -> np.ndarray:
     if len({T.shape[-1] for T in matrices}) > 1:
         raise ValueError("transforms: expected all planar (3x3) or all spatial (4x4), got both")
     checks.fit_together("transforms", *(T.shape[:-2] for T in matrices))
-    return reduce(np.matmul, matrices)
+    return reduce(np.matmul, keep_whole(*matrices))
 
 
 def _turn(axis: int, angle: Any) -> np.ndarray:
