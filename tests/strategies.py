@@ -1,0 +1,54 @@
+"""Random arms, poses and joint values for the property tests."""
+from math import pi
+
+import numpy as np
+from hypothesis import strategies as st
+from hypothesis.extra.numpy import arrays
+from textbook import rigid, zyz
+
+import kinlab as kl
+
+exact_angles = st.integers(-24, 24).map(lambda k: k * pi / 12)
+angles = exact_angles | st.floats(-7, 7, allow_subnormal=False)
+typed_lengths = st.integers(-2000, 2000).map(lambda k: k / 1000)  # decimals, as a student types
+lengths = st.just(0.0) | typed_lengths | st.floats(-2, 2, allow_subnormal=False)
+points = arrays(float, 3, elements=lengths)
+batch_shapes = st.sampled_from([(), (0,), (1,), (3,), (2, 3), (2, 0), (1, 2, 2)])
+
+
+@st.composite
+def rotations(draw, angle=angles):
+    return zyz(draw(angle), draw(angle), draw(angle))
+
+
+@st.composite
+def poses(draw, angle=angles, length=lengths):
+    return rigid(draw(rotations(angle)), [draw(length) for _ in range(3)])
+
+
+@st.composite
+def links(draw, angle=angles, length=lengths):
+    make = draw(st.sampled_from([kl.revolute, kl.prismatic]))
+    return make(theta=draw(angle), d=draw(length), a=draw(length), alpha=draw(angle))
+
+
+@st.composite
+def arms(draw, angle=angles, length=lengths, most=7, ends=True):
+    """Arms of 1 to 7 joints in both conventions, some with a base and a tool."""
+    end = st.none() | poses(angle, length) if ends else st.none()
+    return kl.Arm(draw(st.lists(links(angle, length), min_size=1, max_size=most)),
+                  convention=draw(st.sampled_from(["standard", "modified"])),
+                  base=draw(end), tool=draw(end))
+
+
+@st.composite
+def arms_and_q(draw, shapes=st.just(()), **kinds):
+    """An arm with a batch of joint values of shape (..., n)."""
+    arm = draw(arms(**kinds))
+    shape = (*draw(shapes), arm.n)
+    return arm, draw(arrays(float, shape, elements=st.floats(-3, 3, allow_subnormal=False)))
+
+
+def flat(q):
+    """The single poses of a batch, one row each."""
+    return np.reshape(q, (-1, np.shape(q)[-1]))
