@@ -2,6 +2,7 @@
 from __future__ import annotations
 
 import io
+import re
 from collections.abc import Sequence
 
 import matplotlib
@@ -75,9 +76,13 @@ def figure(scene: Scene, q: Sequence[float], preset: str = "3-D",
 
 
 def svg(fig: Figure) -> str:
-    """The figure as SVG text in pixels, without the XML prologue."""
-    text = _save(fig, "svg", metadata={"Date": None, "Creator": None}, transparent=True)
-    return text[text.index(b"<svg"):].decode()
+    """The figure as SVG text in pixels, to be put into a page.
+
+    The XML prologue is left out, and so is matplotlib's style sheet: within a page it would
+    restyle the lines of every other picture there.
+    """
+    text = _save(fig, "svg", metadata={"Date": None, "Creator": None}, transparent=True).decode()
+    return re.sub(r"<defs>\s*<style.*?</defs>", "", text[text.index("<svg"):], flags=re.DOTALL)
 
 
 def png(fig: Figure) -> bytes:

@@ -157,11 +157,10 @@ class Picture {
 // ---- the pointer and the keys: drag or arrows orbit, wheel or +/- zooms, double click resets ----
 
 function orbit(box, picture, redraw, resetView) {
-  const { camera: limits } = { camera: { low: -90, high: 90 } };
   const rotate = (right, up) => {
     const camera = picture.camera;
     camera.azimuth -= right;
-    camera.elevation = Math.max(limits.low, Math.min(limits.high, camera.elevation + up));
+    camera.elevation = Math.max(-90, Math.min(90, camera.elevation + up));
     redraw();
   };
   const zoom = (factor) => {
@@ -319,10 +318,12 @@ export function mount(element, svg, scene, joints) {
 
   let preset = scene.preset, pending = 0, described = 0, note = "";
   const remarks = () => {
-    const text = note || scene.joints.filter(({ low, high }, i) => {
-      const [q, slack] = [joints.read()[i], 1e-6 * (high - low)];
-      return q <= low + slack || q >= high - slack;
-    }).map((joint) => `${joint.label} is at its limit`).join(", ");
+    const q = joints.read();
+    const text = note || scene.joints.flatMap(({ label, unit, scale, low, high }, i) => {
+      const slack = 1e-6 * (high - low);
+      if (q[i] > low + slack && q[i] < high - slack) return [];
+      return `${label} is at its limit, ${Number((q[i] / scale).toFixed(3))}${unit}`;
+    }).join("; ");
     if (remark.textContent !== text) remark.textContent = text;
   };
   const describe = () => {
@@ -358,13 +359,13 @@ export function mount(element, svg, scene, joints) {
       ["▶ Play", "Move smoothly from pose to pose", () => {
         if (mover.request) return mover.stop();
         mover.start(scene.poses, TOUR, true);
-        play.replaceChildren("❚❚ Pause");
+        play.replaceChildren("Pause");
         play.setAttribute("aria-pressed", "true");
       }]],
     ["View", ...Object.keys(scene.presets).map((name) =>
       [name[0].toUpperCase() + name.slice(1), `View: ${name}`, () => look(name)])],
     ["Show", ...switches],
-    ["Screen", ["⛶ Full screen", "Fill the screen, with large type", () =>
+    ["Screen", ["Full screen", "Fill the screen, with large type", () =>
       document.fullscreenElement ? document.exitFullscreen() : whole().requestFullscreen()]],
   ]);
   play = bar.querySelectorAll("button")[2];
@@ -379,6 +380,7 @@ export function mount(element, svg, scene, joints) {
   const release = orbit(box, picture, redraw, () => look(preset));
   const silence = joints.listen(() => {
     if (mover.request && !mover.writing) mover.stop();   // a hand on a slider takes over
+    note = "";
     redraw();
   });
   look(preset);

@@ -12,7 +12,7 @@ import numpy as np
 import traitlets
 
 from . import checks, draw
-from .arm import REVOLUTE, Arm
+from .arm import REVOLUTE, Arm, Link
 from .kinematics import forward_kinematics, joint_values
 from .scene import LAYERS, PRESETS, arm_scene, is_planar, joint_range, subscript
 
@@ -109,8 +109,9 @@ class ArmView(ipywidgets.Box):
             slider.value = value
         stopped = np.flatnonzero(np.abs(allowed - wanted) > 1e-9 * (high - low))
         self._canvas.note = "; ".join(
-            f"{slider.description} stops at its limit, {slider.value:.6g}"
-            for slider in (self.joints[i] for i in stopped))
+            f"{self.joints[i].description.split()[0]} stops at its limit, "
+            f"{self.joints[i].value:.6g}{_unit_text(self.arm.links[i], self.arm)}"
+            for i in stopped)
 
     @property
     def T(self) -> np.ndarray:
@@ -146,15 +147,17 @@ class ArmView(ipywidgets.Box):
         """The scene with what the panels need: joints, poses, table and switches."""
         arm, low_high = self.arm, self._ranges
         tool = "E" if not np.array_equal(arm.tool, np.eye(4)) else str(arm.n)
-        digits = max(0, 3 - math.floor(math.log10(self._scene.radius)))
+        digits = min(3, max(1, 3 - math.floor(math.log10(self._scene.radius))))
         return self._scene.data() | {
             "name": arm.name or "Arm",
             "preset": self._preset,
-            "joints": [{"label": slider.description, "scale": scale, "low": low, "high": high}
-                       for slider, scale, (low, high) in zip(self.joints, self._scales, low_high)],
+            "joints": [{"label": slider.description.split()[0], "unit": _unit_text(link, arm),
+                        "scale": scale, "low": low, "high": high}
+                       for slider, link, scale, (low, high)
+                       in zip(self.joints, arm.links, self._scales, low_high)],
             "layers": [{"layer": layer, "label": label, "title": title, "on": layer in self._show}
                        for layer, label, title in _LAYERS],
-            "pose": {"title": f"T₀{subscript(tool)}: axes n, s, a and position p of the tool",
+            "pose": {"title": f"T₀{subscript(tool)}, the pose of the tool",
                      "decimals": digits, "unit": arm.unit},
             "home": np.clip(arm.home, *low_high.T).tolist(),
             "zero": np.clip(0.0, *low_high.T).tolist(),
@@ -198,6 +201,10 @@ def _poses(arm: Arm, poses: Any) -> np.ndarray:
                          "give a list of joint vectors")
     low, high = np.array([joint_range(arm, i) for i in range(arm.n)]).T
     return np.clip(poses, low, high)
+
+
+def _unit_text(link: Link, arm: Arm) -> str:
+    return "°" if link.kind == REVOLUTE else f" {arm.unit}"
 
 
 def _numbers(values: Sequence[float]) -> str:

@@ -17,9 +17,9 @@ from .kinematics import forward_kinematics, link_frames
 from .motions import TRANSLATE, Frame, Motion, along, follow, matrix
 
 LINE, FACE, SOLID, ARROW, TEXT, TRACE = "line", "face", "solid", "arrow", "text", "trace"
-PRESETS = {"3-D": (35.0, 22.0), "top": (-90.0, 90.0), "front": (-90.0, 0.0), "side": (0.0, 0.0)}
+PRESETS = {"3-D": (-60.0, 24.0), "top": (-90.0, 90.0), "front": (-90.0, 0.0), "side": (0.0, 0.0)}
 LAYERS = ("frames", "labels", "axes", "trace", "ghost")
-SIZE = (560.0, 480.0)
+SIZE = (560.0, 440.0)
 _AXES = np.eye(3)
 _SIDES = 20
 
@@ -34,7 +34,7 @@ class Item:
     shows it ('' for always), and items of one `body` stay together when nearer ones are
     laid over farther ones (body -1 lies under everything, in its order). `lift` brings a body
     nearer to the viewer than it is (length unit): a joint covers the link that ends in it, and
-    frames stay readable on the arm.
+    frames and their names stay readable on the arm.
     """
 
     gid: str
@@ -268,21 +268,19 @@ def _triads(layout: _Layout, size: float) -> list[Item]:
         origin = layout.home[frame][:3, 3]
         sharing = sum(np.linalg.norm(origin - other) < layout.thick for other in origins)
         origins.append(origin)
-        items += _triad(layout, name, frame, 0.15 * size * (1 + 0.4 * sharing))
+        items += _triad(layout, name, frame, 0.14 * size * (1 + 0.4 * sharing))
     return items
 
 
 def _triad(layout: _Layout, name: str, frame: int, length: float) -> list[Item]:
     items = []
     for letter, axis in zip("xyz", _AXES):
-        body = layout.body()
         items += [
-            Item(f"frame-{name}-{letter}", ARROW, letter,
-                 _at(frame, (0, 0, 0), length * axis), body, "frames",
-                 lift=4 * layout.thick),
+            Item(f"frame-{name}-{letter}", ARROW, letter, _at(frame, (0, 0, 0), length * axis),
+                 layout.body(), "frames", lift=4 * layout.thick),
             Item(f"label-{name}-{letter}", TEXT, letter,
-                 _at(frame, (length + 0.35 * layout.thick + 0.02 * layout.radius) * axis), body,
-                 "labels", letter + subscript(name), lift=4 * layout.thick),
+                 _at(frame, (length + 0.033 * layout.radius) * axis), layout.body(), "labels",
+                 letter + subscript(name), lift=2 * layout.radius),
         ]
     return items
 
