@@ -42,10 +42,10 @@ def arms(draw, angle=angles, length=lengths, most=7, ends=True):
 
 
 @st.composite
-def arms_and_q(draw, shapes=st.just(()), **kinds):
-    """An arm with a batch of joint values of shape (..., n)."""
+def arms_and_q(draw, batch=None, **kinds):
+    """An arm with joint values of shape (..., n): one pose, or a batch from a strategy."""
     arm = draw(arms(**kinds))
-    shape = (*draw(shapes), arm.n)
+    shape = (*(() if batch is None else draw(batch)), arm.n)
     return arm, draw(arrays(float, shape, elements=st.floats(-3, 3, allow_subnormal=False)))
 
 

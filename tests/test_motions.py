@@ -10,8 +10,21 @@ from hypothesis import strategies as st
 from strategies import angles, lengths, poses, rotations
 from textbook import rigid, turn
 
-from kinlab.motions import (ROTATE, TRANSLATE, Frame, Motion, X, Y, Z, along, cos_sin, follow,
-                            matrix, motions_of, stack)
+from kinlab.motions import (
+    ROTATE,
+    TRANSLATE,
+    Frame,
+    Motion,
+    X,
+    Y,
+    Z,
+    along,
+    cos_sin,
+    follow,
+    matrix,
+    motions_of,
+    stack,
+)
 
 A = 0.3
 C, S = cos(A), sin(A)

@@ -24,8 +24,10 @@ def planar_poses(draw):
 
 any_pose = poses() | planar_poses()
 
+POSE = rigid(turn((0, 0, 1), 0.4), (1, 2, 3))
 
-def many(shape, pose=rigid(turn((0, 0, 1), 0.4), (1, 2, 3))):
+
+def many(shape, pose=POSE):
     return np.broadcast_to(pose, (*shape, *pose.shape)).copy()
 
 
@@ -153,8 +155,8 @@ def test_a_batch_of_symbols():
 def test_whole_numbers_stay_whole_beside_symbols():
     x = sp.Symbol("x")
     T = kl.compose(kl.homogeneous(kl.rotation_2d(x), [0, 1]), kl.translation([2.0, 0.5]))
-    assert str(T[0, 2]) == "2*cos(x) - 0.5*sin(x)"
-    assert str(kl.apply(T, [1.0, 0])[1]) == "3*sin(x) + 0.5*cos(x) + 1"
+    assert T[0, 2] == 2 * sp.cos(x) - 0.5 * sp.sin(x)
+    assert kl.apply(T, [1.0, 0])[1] == 3 * sp.sin(x) + 0.5 * sp.cos(x) + 1
 
 
 def test_exact_numbers_stay_exact():
@@ -170,13 +172,13 @@ def test_a_sympy_matrix_with_decimals_beside_symbols():
 
 
 def test_a_bare_rotation_is_not_a_homogeneous_matrix():
-    with pytest.raises(ValueError, match="^T: expected the last row 0 0 1"):
+    with pytest.raises(ValueError, match=r"^T: expected the last row 0 0 1"):
         kl.inverse(kl.rotation_y(0.4))
 
 
 def test_a_rotation_may_be_rounded_to_six_decimals_but_no_worse():
     kl.homogeneous(np.round(kl.rotation_z(0.4), 7), [0, 0, 0])
-    with pytest.raises(ValueError, match="^R: expected a rotation"):
+    with pytest.raises(ValueError, match=r"^R: expected a rotation"):
         kl.homogeneous(np.round(kl.rotation_z(0.4), 4), [0, 0, 0])
 
 
@@ -188,7 +190,7 @@ def test_a_mirror_image_is_not_a_rotation():
 
 
 def test_a_stretched_sympy_matrix_is_refused_like_a_numeric_one():
-    with pytest.raises(ValueError, match="^T: expected a rotation"):
+    with pytest.raises(ValueError, match=r"^T: expected a rotation"):
         kl.inverse(sp.diag(2, 2, 2, 1))
 
 
