@@ -20,6 +20,7 @@ LINE, FACE, SOLID, ARROW, TEXT, TRACE = "line", "face", "solid", "arrow", "text"
 PRESETS = {"3-D": (-60.0, 24.0), "top": (-90.0, 90.0), "front": (-90.0, 0.0), "side": (0.0, 0.0)}
 LAYERS = ("frames", "labels", "axes", "trace", "ghost")
 SIZE = (560.0, 440.0)
+_MARGIN = 10.0  # px: half a name of an axis
 _AXES = np.eye(3)
 _SIDES = 20
 
@@ -61,8 +62,8 @@ class Scene:
 
     @property
     def scale(self) -> float:
-        """Pixels per length unit: the sphere around the reach just fits the picture."""
-        return min(self.size) / 2 / self.radius
+        """Pixels per length unit: the sphere around all that is drawn just fits the picture."""
+        return (min(self.size) / 2 - _MARGIN) / self.radius
 
     def frames(self, q: Sequence[float]) -> np.ndarray:
         """Pose of every frame along the motions, shape (len(motions) + 1, 4, 4)."""
@@ -103,7 +104,7 @@ def arm_scene(arm: Arm) -> Scene:
     items = [*_ground(layout, size), *_ghost(layout), *_links(layout), *_joints(layout),
              *_gripper(layout), *_axes(layout, size), *_triads(layout, size), *_trace(layout)]
     return Scene(tuple(layout.motions), tuple(items), len(layout.motions),
-                 tuple(map(float, layout.center)), layout.radius)
+                 tuple(map(float, layout.center)), _fit(layout, items))
 
 
 class _Layout:
@@ -117,7 +118,8 @@ class _Layout:
         for stretch in arm.chain:
             self.paths.append(self._walk(stretch))
         self.ends = [path[-1] for path in self.paths]
-        self.center, self.radius = _reach(arm)
+        self.poses = _poses_tried(arm)
+        self.center, self.radius = _reach(arm, self.poses)
         self.thick = 0.036 * self.radius
         self.bodies = 0
         self.home = [matrix(f) for f in along(((), *((m,) for m in self.motions)),
@@ -141,17 +143,34 @@ class _Layout:
         return self.bodies - 1
 
 
-def _reach(arm: Arm) -> tuple[np.ndarray, float]:
+def _poses_tried(arm: Arm) -> np.ndarray:
+    """Poses all over the joint ranges; in half of them every slide is right in or right out."""
+    low, high = np.array([joint_range(arm, i) for i in range(arm.n)]).T
+    slides = [i for i, link in enumerate(arm.links) if link.kind == PRISMATIC]
+    spread = np.random.default_rng(0).random((2000, arm.n))
+    spread[::2, slides] = spread[::2, slides].round()
+    return np.vstack([low + spread * (high - low), arm.home, np.clip(0, low, high)])
+
+
+def _reach(arm: Arm, poses: np.ndarray) -> tuple[np.ndarray, float]:
     """Centre and radius of a sphere that holds the arm at every pose."""
-    ranges = np.array([joint_range(arm, i) for i in range(arm.n)])
-    poses = np.random.default_rng(0).uniform(*ranges.T, size=(2000, arm.n))
-    poses = np.vstack([poses, arm.home, np.clip(0, *ranges.T)])
     points = np.concatenate([link_frames(arm, poses)[..., :3, 3].reshape(-1, 3),
                              forward_kinematics(arm, poses)[..., :3, 3], np.zeros((1, 3))])
     center = (points.min(axis=0) + points.max(axis=0)) / 2
     center[np.abs(center) < 0.05 * np.ptp(points)] = 0
     farthest = float(np.max(np.linalg.norm(points - center, axis=1)))
-    return center, 1.17 * farthest or 1.0  # room for the frames and for poses not sampled
+    return center, 1.17 * farthest or 1.0
+
+
+def _fit(layout: _Layout, items: Iterable[Item]) -> float:
+    """Radius about the centre that holds all that is drawn, however its frame may be turned."""
+    away = []
+    for frame in along(((), *((m,) for m in layout.motions)), list(layout.poses.T)):
+        origin = np.stack(np.broadcast_arrays(*frame.origin), axis=-1)
+        away.append(np.max(np.linalg.norm(origin - layout.center, axis=-1)))
+    sizes = [away[k] + math.hypot(*point) if k else math.dist(point, layout.center)
+             for item in items for k, *point in item.points]
+    return 1.03 * float(max(sizes))  # room for poses not tried
 
 
 def _at(frame: int, *points: Iterable[float]) -> tuple[Point, ...]:
