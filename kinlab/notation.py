@@ -116,17 +116,30 @@ class _Writer:
             return (1, self._places(factor), isinstance(factor, sp.sin))
         if factor in self.places:
             return (2, [(self.places[factor], 1)], False)
-        return (3 if isinstance(factor, sp.Add) else 0, [], str(factor))
+        return (3 if isinstance(factor, sp.Add) else 0, [], _ByText(factor))
 
     def _term_order(self, term: sp.Expr) -> tuple:
         """Along the chain: by the last length in the term, then by its sines and cosines."""
         trig = sorted(key for key in map(self._factor_order, _factors(term)) if key[0])
-        return self._last_length(term), trig, str(term)
+        return self._last_length(term), trig, _ByText(term)
 
     def _last_length(self, term: sp.Expr) -> int:
         names = [f.name for f in _factors(term) if isinstance(f, sp.Symbol)]
         return max((int(index) if index.isdigit() else len(self.places) + 1
                     for index in (name.partition("_")[2] for name in names)), default=0)
+
+
+class _ByText:
+    """Sorts an expression by sympy's text of it, written only where a tie asks for it: slow."""
+
+    def __init__(self, expression: sp.Expr) -> None:
+        self.expression = expression
+
+    def __eq__(self, other: _ByText) -> bool:
+        return self.expression == other.expression
+
+    def __lt__(self, other: _ByText) -> bool:
+        return str(self.expression) < str(other.expression)
 
 
 def _factors(term: sp.Expr) -> list[sp.Expr]:
