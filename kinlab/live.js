@@ -401,23 +401,89 @@ export function mount(element, svg, scene, joints) {
 // ---- Jupyter: the joints are ipywidgets' sliders, in degrees or lengths ----
 
 const SAVE_EVERY = 100;                             // ms between messages to Python while moving
+const KEYS = { ArrowLeft: -1, ArrowDown: -1, ArrowRight: 1, ArrowUp: 1, PageDown: -10, PageUp: 10,
+               Home: -Infinity, End: Infinity };
 
-async function sliderJoints(model, { joints }) {
-  const sliders = await Promise.all(model.get("sliders").map((reference) =>
-    model.widget_manager.get_model(reference.slice("IPY_MODEL_".length))));
+/**
+ * A slider that stops at whole steps under the hand but takes any value from elsewhere.
+ *
+ * With a step of its own, ipywidgets' slider rounds every value that it is given, those from
+ * Python too, and tells Python the rounded one. So it has none, and the steps are made here.
+ */
+class Joint {
+  constructor(slider, { step, scale }) {
+    Object.assign(this, { slider, step, scale, settled: slider.get("value") });
+    this.low = slider.get("min");
+    this.high = slider.get("max");
+  }
+
+  get value() { return this.slider.get("value"); }
+
+  /** Keep values from elsewhere exact, and round those that a hand on the slider makes. */
+  settle(options = {}) {
+    if (!options.updated_view) { this.settled = this.value; return; }
+    const echo = Math.abs(this.value - this.settled) <= 1e-9 * (this.high - this.low);
+    if (!echo) this.settled = this.snap(this.value);
+    if (this.value !== this.settled) this.slider.set("value", this.settled, echo ? options : {});
+  }
+
+  press(steps, fine) {
+    const step = fine ? this.step / 10 : this.step;
+    const from = this.value / step, towards = steps > 0 ? Math.floor : Math.ceil;
+    const next = (towards(from + (steps > 0 ? 1e-6 : -1e-6)) + steps) * step;
+    this.slider.set("value", this.clip(Number(next.toPrecision(12))));
+    this.slider.save_changes();
+  }
+
+  snap(value) {
+    const ends = [this.low, this.high];             // the limits need not be whole steps
+    const whole = Number((Math.round(value / this.step) * this.step).toPrecision(12));
+    return ends.find((end) => Math.abs(value - end) < this.step / 4) ?? this.clip(whole);
+  }
+
+  clip(value) { return Math.max(this.low, Math.min(this.high, value)); }
+}
+
+async function sliderJoints(model, scene) {
+  const joints = await Promise.all(model.get("sliders").map(async (reference, i) => {
+    const id = reference.slice("IPY_MODEL_".length);
+    return new Joint(await model.widget_manager.get_model(id), scene.joints[i]);
+  }));
   let timer = 0;
-  const save = () => { timer = 0; sliders.forEach((slider) => slider.save_changes()); };
+  const save = () => { timer = 0; joints.forEach(({ slider }) => slider.save_changes()); };
   return {
-    read: () => sliders.map((slider, i) => slider.get("value") * joints[i].scale),
+    joints,
+    read: () => joints.map((joint) => joint.value * joint.scale),
     write(q) {
-      sliders.forEach((slider, i) => slider.set("value", q[i] / joints[i].scale));
+      joints.forEach((joint, i) => joint.slider.set("value", q[i] / joint.scale));
       timer ||= setTimeout(save, SAVE_EVERY);
     },
     listen(callback) {
-      sliders.forEach((slider) => slider.on("change:value", callback));
-      return () => sliders.forEach((slider) => slider.off("change:value", callback));
+      const listeners = joints.map((joint) => (_, value, options) => {
+        joint.settle(options);
+        if (!model.get("hold")) callback();         // Python is setting several joints at once
+      });
+      joints.forEach(({ slider }, i) => slider.on("change:value", listeners[i]));
+      model.on("change:hold", callback);
+      return () => {
+        joints.forEach(({ slider }, i) => slider.off("change:value", listeners[i]));
+        model.off("change:hold", callback);
+      };
     },
   };
+}
+
+/** Arrow keys on a slider: a step; with Shift a tenth; Page keys ten steps; Home, End the limits. */
+function sliderKeys(panel, joints) {
+  const handle = (event) => {
+    if (event.target.getAttribute("role") !== "slider" || !(event.key in KEYS)) return;
+    const sliders = [...panel.querySelectorAll("[role=slider]")];
+    joints[sliders.indexOf(event.target)].press(KEYS[event.key], event.shiftKey);
+    event.preventDefault();
+    event.stopPropagation();
+  };
+  panel.addEventListener("keydown", handle, { capture: true });
+  return () => panel.removeEventListener("keydown", handle, { capture: true });
 }
 
 async function render({ model, el }) {
@@ -427,7 +493,17 @@ async function render({ model, el }) {
   const remark = () => live.note(model.get("note"));
   model.on("change:note", remark);
   remark();
-  return () => { model.off("change:note", remark); live.dismount(); };
+  let release = () => {};
+  const attach = requestAnimationFrame(() => {      // the view stands in the page by then
+    const panel = el.closest(".kl-view")?.querySelector(".kl-joints");
+    if (panel) release = sliderKeys(panel, joints.joints);
+  });
+  return () => {
+    cancelAnimationFrame(attach);
+    release();
+    model.off("change:note", remark);
+    live.dismount();
+  };
 }
 
 export default { render };

@@ -31,6 +31,7 @@ class Canvas(anywidget.AnyWidget):
     scene = traitlets.Dict().tag(sync=True)
     sliders = traitlets.List().tag(sync=True, **ipywidgets.widget_serialization)
     note = traitlets.Unicode().tag(sync=True)
+    hold = traitlets.Bool(False).tag(sync=True)  # True while several joints are being set
 
 
 class ArmView(ipywidgets.Box):
@@ -105,8 +106,10 @@ class ArmView(ipywidgets.Box):
         wanted = _one_pose(self.arm, q)
         low, high = self._ranges.T
         allowed = np.clip(wanted, low, high)
+        self._canvas.hold = True
         for slider, value in zip(self.joints, allowed / self._scales):
             slider.value = value
+        self._canvas.hold = False
         stopped = np.flatnonzero(np.abs(allowed - wanted) > 1e-9 * (high - low))
         self._canvas.note = "; ".join(
             f"{self.joints[i].description.split()[0]} stops at its limit, "
@@ -133,15 +136,20 @@ class ArmView(ipywidgets.Box):
 
     def _slider(self, i: int) -> ipywidgets.FloatSlider:
         link, scale = self.arm.links[i], self._scales[i]
-        low, high = self._ranges[i] / scale
+        low, high = np.round(self._ranges[i] / scale, 9).tolist()  # 120, not 119.99999999999999
         revolute = link.kind == REVOLUTE
         unit, symbol = ("°", "θ") if revolute else (self.arm.unit, "d")
-        step = 1.0 if revolute else 10.0 ** math.floor(math.log10((high - low) / 50))
-        decimals = 1 if revolute else max(0, -math.floor(math.log10(step)))
+        decimals = 1 if revolute else max(0, 1 - math.floor(math.log10(high - low)))
         return ipywidgets.FloatSlider(
-            value=min(max(0.0, low), high), min=low, max=high, step=step,
+            value=min(max(0.0, low), high), min=low, max=high, step=None,
             readout_format=f".{decimals}f", description=f"{symbol}{subscript(str(i + 1))} ({unit})",
             tooltip=link.name or f"joint {i + 1}")
+
+    def _step(self, i: int) -> float:
+        """How far an arrow key moves a joint: one degree, or about a fiftieth of its way."""
+        low, high = self._ranges[i]
+        revolute = self.arm.links[i].kind == REVOLUTE
+        return 1.0 if revolute else 10.0 ** math.floor(math.log10((high - low) / 20))
 
     def _data(self, poses: Any) -> dict:
         """The scene with what the panels need: joints, poses, table and switches."""
@@ -152,9 +160,9 @@ class ArmView(ipywidgets.Box):
             "name": arm.name or "Arm",
             "preset": self._preset,
             "joints": [{"label": slider.description.split()[0], "unit": _unit_text(link, arm),
-                        "scale": scale, "low": low, "high": high}
-                       for slider, link, scale, (low, high)
-                       in zip(self.joints, arm.links, self._scales, low_high)],
+                        "scale": scale, "step": self._step(i), "low": low, "high": high}
+                       for i, (slider, link, scale, (low, high))
+                       in enumerate(zip(self.joints, arm.links, self._scales, low_high))],
             "layers": [{"layer": layer, "label": label, "title": title, "on": layer in self._show}
                        for layer, label, title in _LAYERS],
             "pose": {"title": f"T₀{subscript(tool)}, the pose of the tool",

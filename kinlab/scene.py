@@ -19,7 +19,7 @@ from .motions import TRANSLATE, Frame, Motion, along, follow, matrix
 LINE, FACE, SOLID, ARROW, TEXT, TRACE = "line", "face", "solid", "arrow", "text", "trace"
 PRESETS = {"3-D": (-60.0, 24.0), "top": (-90.0, 90.0), "front": (-90.0, 0.0), "side": (0.0, 0.0)}
 LAYERS = ("frames", "labels", "axes", "trace", "ghost")
-SIZE = (560.0, 440.0)
+SIZE = (580.0, 520.0)
 _MARGIN = 10.0  # px: half a name of an axis
 _AXES = np.eye(3)
 _SIDES = 20
