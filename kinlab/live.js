@@ -449,25 +449,31 @@ async function sliderJoints(model, scene) {
     const id = reference.slice("IPY_MODEL_".length);
     return new Joint(await model.widget_manager.get_model(id), scene.joints[i]);
   }));
-  let timer = 0;
+  const values = () => joints.map((joint) => joint.value * joint.scale);
+  let q = values(), timer = 0;
   const save = () => { timer = 0; joints.forEach(({ slider }) => slider.save_changes()); };
   return {
     joints,
-    read: () => joints.map((joint) => joint.value * joint.scale),
-    write(q) {
-      joints.forEach((joint, i) => joint.slider.set("value", q[i] / joint.scale));
+    read: () => q,
+    write(wanted) {
+      joints.forEach((joint, i) => joint.slider.set("value", wanted[i] / joint.scale));
       timer ||= setTimeout(save, SAVE_EVERY);
     },
     listen(callback) {
+      const take = () => {
+        if (model.get("hold")) return;              // Python is still setting the other joints
+        q = values();
+        callback();
+      };
       const listeners = joints.map((joint) => (_, value, options) => {
         joint.settle(options);
-        if (!model.get("hold")) callback();         // Python is setting several joints at once
+        take();
       });
       joints.forEach(({ slider }, i) => slider.on("change:value", listeners[i]));
-      model.on("change:hold", callback);
+      model.on("change:hold", take);
       return () => {
         joints.forEach(({ slider }, i) => slider.off("change:value", listeners[i]));
-        model.off("change:hold", callback);
+        model.off("change:hold", take);
       };
     },
   };
