@@ -1,0 +1,197 @@
+"""What each lesson's exercises ask for: references, typical slips, and the words for them."""
+from __future__ import annotations
+
+from collections.abc import Callable
+from functools import partial
+from math import cos, degrees, pi, sin
+from typing import Any
+
+import numpy as np
+
+from . import kinematics, robots
+from .arm import Arm, revolute
+from .judging import choices, expressions, function, joint_values
+
+# ---- 07 Alpha II, exercise 1: the link transform -------------------------------------------------
+
+
+def _link(convention: str, theta: float, d: float, a: float, alpha: float) -> np.ndarray:
+    arm = Arm([revolute(d=d, a=a, alpha=alpha)], convention=convention)
+    return kinematics.forward_kinematics(arm, [theta])
+
+
+_A, _modified = partial(_link, "standard"), partial(_link, "modified")
+
+
+def _rotation_transposed(T: np.ndarray) -> np.ndarray:
+    return np.block([[T[:3, :3].T, T[:3, 3:]], [T[3:]]])
+
+
+def _slide_before_turn(theta: float, d: float, a: float, alpha: float) -> np.ndarray:
+    T = _A(theta, 0, 0, alpha)
+    T[:3, 3] = a, 0, d
+    return T
+
+
+_LINK_CASES = [dict(theta=0.0, d=0.0, a=0.0, alpha=0.0),
+               dict(theta=pi / 6, d=0.0, a=177.8, alpha=0.0),
+               dict(theta=0.7, d=215.0, a=0.0, alpha=-pi / 2),
+               dict(theta=-0.4, d=12.0, a=30.0, alpha=0.9)]
+
+_LINK_SLIPS = [
+    ("The angles arrive in radians; do not convert them.",
+     lambda t, d, a, al: _A(t * pi / 180, d, a, al * pi / 180)),
+    ("This is the transpose: the axes of frame k are columns, not rows.",
+     lambda t, d, a, al: _A(t, d, a, al).T),
+    ("The rotation is transposed: the axes of frame k are its columns, not its rows.",
+     lambda t, d, a, al: _rotation_transposed(_A(t, d, a, al))),
+    ("This is the inverse: it takes coordinates from frame k-1 to frame k.",
+     lambda t, d, a, al: np.linalg.inv(_A(t, d, a, al))),
+    ("The factors stand in the reverse order: this is the modified (Craig) link matrix, or the "
+     "four motions about fixed axes.", _modified),
+    ("The sign of alpha is wrong: in Rx(alpha) the minus stands at the upper sine.",
+     lambda t, d, a, al: _A(t, d, a, -al)),
+    ("The sign of theta is wrong: in Rz(theta) the minus stands at the upper sine.",
+     lambda t, d, a, al: _A(-t, d, a, al)),
+    ("a and d have changed places: d is a slide along z, a is one along x.",
+     lambda t, d, a, al: _A(t, a, d, al)),
+    ("The slide along x comes after the turn by theta, so the last column begins with "
+     "a cos(theta), a sin(theta).", _slide_before_turn),
+    ("The slide d along z is left out.", lambda t, d, a, al: _A(t, 0, a, al)),
+    ("The slide a along x is left out.", lambda t, d, a, al: _A(t, d, 0, al)),
+]
+
+# ---- 07 Alpha II, exercise 2: the tip when the tool points straight down -------------------------
+
+_ALPHA_II = robots.alpha_ii()
+_L1, _L2, _L3, _, _L5 = _ALPHA_II.links
+_D1, _A2, _A3, _D5 = _L1.d, _L2.a, _L3.a, _L5.d
+
+
+def _tip_below(q1: float, q2: float, q3: float) -> np.ndarray:
+    return kinematics.forward_kinematics(_ALPHA_II, [q1, q2, q3, -q2 - q3, 0])[:3, 3]
+
+
+def _at(q1: float, reach: float, height: float) -> list[float]:
+    return [cos(q1) * reach, sin(q1) * reach, height]
+
+
+def _out(q2: float, q3: float) -> float:
+    return _A2 * cos(q2) + _A3 * cos(q2 + q3)
+
+
+def _drop(q2: float, q3: float) -> float:
+    return _A2 * sin(q2) + _A3 * sin(q2 + q3)
+
+
+_LENGTHS = dict(d_1=_D1, a_2=_A2, a_3=_A3, d_5=_D5)  # for students who write symbols
+
+_TIP_POINTS = [dict(zip(("theta_1", "theta_2", "theta_3"), q))
+               for q in ((0.3, -0.5, 0.8), (-1.1, 0.4, 0.6), (2.0, 0.9, -1.3))]
+
+_TIP_SLIPS = [
+    ("This is the wrist: the tool, d5 = 129.5 mm, is forgotten.",
+     lambda q1, q2, q3: _at(q1, _out(q2, q3), _D1 - _drop(q2, q3))),
+    ("The tool hangs down from the wrist, so d5 lowers the tip.",
+     lambda q1, q2, q3: _at(q1, _out(q2, q3), _D1 - _drop(q2, q3) + _D5)),
+    ("The tool hangs down from the wrist: d5 belongs to the height, not to the reach.",
+     lambda q1, q2, q3: _at(q1, _out(q2, q3) + _D5, _D1 - _drop(q2, q3))),
+    ("Positive angles of joints 2 and 3 lower the arm: their sines are subtracted.",
+     lambda q1, q2, q3: _at(q1, _out(q2, q3), _D1 + _drop(q2, q3) - _D5)),
+    ("The forearm is turned by theta_2 + theta_3, not by theta_3 alone.",
+     lambda q1, q2, q3: _at(q1, _A2 * cos(q2) + _A3 * cos(q3),
+                            _D1 - _A2 * sin(q2) - _A3 * sin(q3) - _D5)),
+    ("C23 is cos(theta_2 + theta_3), not a product of two cosines.",
+     lambda q1, q2, q3: _at(q1, _A2 * cos(q2) + _A3 * cos(q2) * cos(q3),
+                            _D1 - _drop(q2, q3) - _D5)),
+    ("p_x and p_y have changed places.",
+     lambda q1, q2, q3: _tip_below(q1, q2, q3)[[1, 0, 2]]),
+    ("Lengths are in millimetres.", lambda q1, q2, q3: _tip_below(q1, q2, q3) / 1000),
+]
+
+# ---- 07 Alpha II, exercise 3: which joints change what -------------------------------------------
+
+_CHANGES = {"p_z": {2, 3, 4}, "a": {1, 2, 3, 4}, "n": {1, 2, 3, 4, 5}}
+
+_JOINT_HINTS = {
+    ("p_z", 1): "Joint 1 turns the arm about the vertical z0: can that change a height?",
+    ("p_z", 2): "What does the shoulder do to the height?",
+    ("p_z", 3): "What does the elbow do to the height?",
+    ("p_z", 4): "The tool has a length: what happens to the tip as the tool pitches?",
+    ("p_z", 5): "Joint 5 rolls the tool about z4, and the tip lies on that axis.",
+    ("a", 1): "Turn the base: does the tool still point the same way?",
+    ("a", 2): "Look for theta_2 inside S234.",
+    ("a", 3): "Look for theta_3 inside S234.",
+    ("a", 4): "Look for theta_4 inside S234.",
+    ("a", 5): "Joint 5 rolls the tool about z4, and the approach vector lies along that axis.",
+    ("n", 5): "Joint 5 rolls the tool: what does the normal vector do then?",
+}
+
+# ---- 07 Alpha II, exercise 4: touch the table, tool straight down --------------------------------
+
+
+def _one_pose(answer: Any) -> np.ndarray:
+    q = kinematics.joint_values(_ALPHA_II, answer)
+    if q.ndim != 1:
+        raise ValueError(f"q: expected five joint values, got shape {q.shape}")
+    return q
+
+
+def _within_limits(q: np.ndarray) -> str:
+    for i, (value, link) in enumerate(zip(q, _ALPHA_II.links), start=1):
+        low, high = link.limits
+        if (excess := max(low - value, value - high)) > 1e-9:
+            return (f"Joint {i} is at {degrees(value):.6g}°, {degrees(excess):.4g}° beyond its "
+                    f"limits, {degrees(low):.6g}° and {degrees(high):.6g}°.")
+    return ""
+
+
+def _straight_down(q: np.ndarray) -> str:
+    x, y, z = kinematics.forward_kinematics(_ALPHA_II, q)[:3, 2]
+    off = degrees(np.arctan2(np.hypot(x, y), -z))
+    return "" if off <= 0.01 else (f"The tool is {off:.4g}° away from straight down; "
+                                   "0.01° is allowed.")
+
+
+def _on_the_table(q: np.ndarray) -> str:
+    z = kinematics.forward_kinematics(_ALPHA_II, q)[2, 3]
+    side = "above" if z > 0 else "below"
+    return "" if abs(z) <= 0.1 else (f"The tool points straight down, but its tip is "
+                                     f"{abs(z):.4g} mm {side} the table; 0.1 mm is allowed.")
+
+
+_TABLE = (_within_limits, _straight_down, _on_the_table)
+
+
+def _meets(q: np.ndarray) -> bool:
+    return not any(condition(q) for condition in _TABLE)
+
+
+_TABLE_SLIPS = [
+    ("These numbers look like degrees: q is in radians, so write np.radians([...]).",
+     lambda q: _meets(np.radians(q)) or np.max(np.abs(q)) > 2 * pi),
+    ("It points straight up.", lambda q: not _straight_down(q + [0, 0, 0, pi, 0])),
+    ("It is the wrist that touches the table: the tip is d5 = 129.5 mm farther on.",
+     lambda q: abs(kinematics.link_frames(_ALPHA_II, q)[3, 2, 3]) <= 0.1),
+    ("The sign of theta_4 is wrong.", lambda q: _meets(q * [1, 1, 1, -1, 1])),
+]
+
+JUDGES: dict[str, Callable[[Any], str]] = {
+    "alpha_ii.1": function(
+        _A, _LINK_CASES, slips=_LINK_SLIPS,
+        entry=lambda index: f"the entry in row {index[0] + 1}, column {index[1] + 1}",
+        praise="Your function agrees in every case. It serves every link of every arm in "
+               "standard DH parameters."),
+    "alpha_ii.2": expressions(
+        ("p_x", "p_y", "p_z"), _tip_below, _TIP_POINTS, constants=_LENGTHS, slips=_TIP_SLIPS,
+        praise="With the tool straight down theta_4 is gone, and the height depends on theta_2 "
+               "and theta_3 alone."),
+    "alpha_ii.3": choices(
+        _CHANGES, {1, 2, 3, 4, 5}, _JOINT_HINTS,
+        praise="The height needs the three parallel joints, the direction adds the base, and "
+               "only the full orientation feels the roll."),
+    "alpha_ii.4": joint_values(
+        _one_pose, _TABLE, slips=_TABLE_SLIPS,
+        praise="Straight down, on the table and inside the limits. This is one of many answers: "
+               "two conditions leave three of the five joints free."),
+}
