@@ -110,10 +110,10 @@ def _add(ax, item: Item, points: np.ndarray):
     if item.shape == TEXT:
         return ax.text(*points[0, :2], item.text, color=AXIS_COLOURS[item.style], fontsize=11,
                        ha="center", va="center", family="sans-serif")
-    corners = outline(item.shape, points)
-    closed = item.shape in (FACE, SOLID, ARROW)
-    patch = PathPatch(Path(points[:, :2] if corners is None else corners, closed=False),
-                      fill=closed, capstyle="round", clip_on=False, **STYLES[item.style])
+    corners, closed = outline(item.shape, points), item.shape in (FACE, SOLID, ARROW)
+    path = points[:, :2] if corners is None else corners
+    path = np.vstack([path, path[:1]]) if closed else path
+    patch = PathPatch(Path(path, closed=closed), fill=closed, capstyle="round", clip_on=False, **STYLES[item.style])
     if corners is None:
         patch.set(linewidth=0, fill=False)
     return ax.add_patch(patch)
