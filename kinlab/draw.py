@@ -10,6 +10,7 @@ import numpy as np
 from matplotlib.figure import Figure
 from matplotlib.patches import PathPatch
 from matplotlib.path import Path
+from matplotlib.patheffects import withStroke
 
 from .scene import ARROW, FACE, SOLID, TEXT, Item, Scene
 
@@ -86,7 +87,9 @@ def svg(fig: Figure) -> str:
 
 
 def png(fig: Figure) -> bytes:
-    """The figure as a PNG picture."""
+    """The figure as a PNG picture, with a rim around its letters as the browser draws it."""
+    for text in fig.axes[0].texts:
+        text.set_path_effects([withStroke(linewidth=3, foreground="white")])
     return _save(fig, "png", dpi=108, facecolor="white")
 
 
@@ -111,12 +114,11 @@ def _add(ax, item: Item, points: np.ndarray):
         return ax.text(*points[0, :2], item.text, color=AXIS_COLOURS[item.style], fontsize=11,
                        ha="center", va="center", family="sans-serif")
     corners, closed = outline(item.shape, points), item.shape in (FACE, SOLID, ARROW)
-    path = points[:, :2] if corners is None else corners
-    path = np.vstack([path, path[:1]]) if closed else path
-    patch = PathPatch(Path(path, closed=closed), fill=closed, capstyle="round", clip_on=False, **STYLES[item.style])
-    if corners is None:
-        patch.set(linewidth=0, fill=False)
-    return ax.add_patch(patch)
+    # A face turned away is an empty path that keeps its paint, for when it turns to the viewer.
+    corners = np.empty((0, 2)) if corners is None else corners
+    path = np.vstack([corners, corners[:1]]) if closed else corners
+    return ax.add_patch(PathPatch(Path(path, closed=closed and len(path) > 0), fill=closed,
+                                  capstyle="round", clip_on=False, **STYLES[item.style]))
 
 
 def _arrow(points: np.ndarray) -> np.ndarray:
