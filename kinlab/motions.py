@@ -56,23 +56,27 @@ class Motion:
 
 
 class Frame(NamedTuple):
-    """Axis columns and origin of a frame, with the rotation that is still pending."""
+    """Axis columns and origin of a frame, with the rotation that is still pending.
+
+    `turned` keeps the axes after that rotation once a slide has asked for them.
+    """
 
     axes: tuple = ((1, 0, 0), (0, 1, 0), (0, 0, 1))
     origin: tuple = (0, 0, 0)
     about: int | None = None
     angle: Any = 0
+    turned: tuple | None = None
 
     def settled(self) -> tuple:
         """The axis columns, with the pending rotation carried out."""
-        if self.about is None:
-            return self.axes
+        if self.about is None or self.turned:
+            return self.turned or self.axes
         i, j = (self.about + 1) % 3, (self.about + 2) % 3
         c, s = cos_sin(self.angle)
         axes = list(self.axes)
-        u, v = axes[i], axes[j]
+        u, v, minus_s = axes[i], axes[j], -s
         axes[i] = tuple(_sum(_product(c, a), _product(s, b)) for a, b in zip(u, v))
-        axes[j] = tuple(_sum(_product(c, b), _product(-s, a)) for a, b in zip(u, v))
+        axes[j] = tuple(_sum(_product(c, b), _product(minus_s, a)) for a, b in zip(u, v))
         return tuple(axes)
 
     def rotated(self, axis: int, angle: Any) -> Frame:
@@ -83,10 +87,10 @@ class Frame(NamedTuple):
 
     def translated(self, axis: int, distance: Any) -> Frame:
         """The frame slid along its own axis."""
-        frame = self if self.about in (None, axis) else Frame(self.settled(), self.origin)
-        direction = frame.axes[axis]
+        turned = self.turned if self.about in (None, axis) else self.settled()
+        direction = (turned or self.axes)[axis]
         origin = tuple(_sum(o, _product(distance, e)) for o, e in zip(self.origin, direction))
-        return Frame(self.axes, origin, self.about, self.angle)
+        return Frame(self.axes, origin, self.about, self.angle, turned)
 
     def moved(self, motion: Motion, q: Sequence) -> Frame:
         """The frame after one elementary motion at joint values `q`."""
