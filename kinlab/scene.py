@@ -9,6 +9,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
+from itertools import pairwise
 
 import numpy as np
 
@@ -34,8 +35,8 @@ class Item:
     `shape` says how its points become a path, `style` how that is painted, `layer` which switch
     shows it ('' for always), and items of one `body` stay together when nearer ones are
     laid over farther ones (body -1 lies under everything, in its order). `lift` brings a body
-    nearer to the viewer than it is (length unit): a joint covers the link that ends in it, and
-    frames and their names stay readable on the arm.
+    nearer to the viewer than it is (length unit): a joint covers the link that ends in it,
+    frames lie on the arm and their names on both, so that they stay readable.
     """
 
     gid: str
@@ -90,6 +91,11 @@ def joint_range(arm: Arm, i: int) -> tuple[float, float]:
     return (-math.pi, math.pi) if link.kind == REVOLUTE else (0.0, float(lengths) or 1.0)
 
 
+def _ranges(arm: Arm) -> np.ndarray:
+    """Lowest and highest value of every joint, shape (2, n)."""
+    return np.array([joint_range(arm, i) for i in range(arm.n)]).T
+
+
 def is_planar(arm: Arm) -> bool:
     """True when all joints turn about parallel axes along the room's z."""
     frames = link_frames(arm, np.full(arm.n, 0.3))
@@ -113,29 +119,23 @@ class _Layout:
     def __init__(self, arm: Arm) -> None:
         self.arm = arm
         self.motions: list[Motion] = []
-        self.paths: list[list[int]] = []     # frames at the corners of each stretch
         self.joints = [0] * arm.n            # frame just before each joint moves
-        for stretch in arm.chain:
-            self.paths.append(self._walk(stretch))
-        self.ends = [path[-1] for path in self.paths]
+        self.ends = [self._walk(stretch) for stretch in arm.chain]
         self.poses = _poses_tried(arm)
         self.center, self.radius = _reach(arm, self.poses)
         self.thick = 0.036 * self.radius
         self.bodies = 0
         self.home = [matrix(f) for f in along(((), *((m,) for m in self.motions)),
-                                              arm.home.tolist())]
+                                              np.clip(arm.home, *_ranges(arm)).tolist())]
 
-    def _walk(self, stretch: Iterable[Motion]) -> list[int]:
-        path = [len(self.motions)]
+    def _walk(self, stretch: Iterable[Motion]) -> int:
+        """Add the motions of a link, and say at which frame they end."""
         for motion in stretch:
-            if motion.idle:
-                continue
             if motion.joint is not None:
                 self.joints[motion.joint] = len(self.motions)
-            self.motions.append(motion)
-            if motion.kind == TRANSLATE:
-                path.append(len(self.motions))
-        return [*path, len(self.motions)]
+            if not motion.idle:
+                self.motions.append(motion)
+        return len(self.motions)
 
     def body(self) -> int:
         """A new number for things that stay together."""
@@ -145,7 +145,7 @@ class _Layout:
 
 def _poses_tried(arm: Arm) -> np.ndarray:
     """Poses all over the joint ranges; in half of them every slide is right in or right out."""
-    low, high = np.array([joint_range(arm, i) for i in range(arm.n)]).T
+    low, high = _ranges(arm)
     slides = [i for i, link in enumerate(arm.links) if link.kind == PRISMATIC]
     spread = np.random.default_rng(0).random((2000, arm.n))
     spread[::2, slides] = spread[::2, slides].round()
@@ -186,18 +186,24 @@ def _ground(layout: _Layout, size: float) -> list[Item]:
 
 
 def _ghost(layout: _Layout) -> list[Item]:
-    corners = [layout.home[k][:3, 3] for path in layout.paths for k in path]
-    return [Item("ghost", LINE, "ghost", _at(0, *corners), layer="ghost")]
+    origins = [frame[:3, 3] for frame in layout.home]
+    return [Item("ghost", LINE, "ghost", _at(0, *origins), layer="ghost")]
 
 
 def _links(layout: _Layout) -> list[Item]:
+    """Strokes along the slides, in short pieces, so that each lies as near as it is."""
     items = []
-    for i, path in enumerate(layout.paths):
-        if len(set(path)) > 1:
-            sliding = 0 < i <= layout.arm.n and layout.arm.links[i - 1].kind == PRISMATIC
-            points = tuple(point for k in path for point in _at(k, (0, 0, 0)))
-            items.append(Item(f"link-{i}", LINE, "rod" if sliding else "link", points,
+    for k, motion in enumerate(layout.motions):
+        if motion.kind != TRANSLATE:
+            continue
+        if motion.joint is not None:
+            items.append(Item(f"link-{k}-0", LINE, "rod", ((k, 0, 0, 0), (k + 1, 0, 0, 0)),
                               layout.body()))
+            continue
+        pieces = math.ceil(abs(motion.amount) / (5 * layout.thick))
+        marks = np.linspace(0, motion.amount, pieces + 1)[:, None] * _AXES[motion.axis]
+        items += [Item(f"link-{k}-{piece}", LINE, "link", _at(k, *ends), layout.body())
+                  for piece, ends in enumerate(pairwise(marks))]
     return items
 
 
@@ -206,9 +212,11 @@ def _joints(layout: _Layout) -> list[Item]:
     for i, link in enumerate(layout.arm.links):
         frame, body, t = layout.joints[i], layout.body(), layout.thick
         place = _free_place(layout, i, taken)
-        solid = _box(place, t) if link.kind == PRISMATIC else _cylinder(place, t)
-        items += [Item(f"joint-{i + 1}-{k}", shape, style, _at(frame, *points), body,
-                       lift=1.5 * t)
+        if link.kind == PRISMATIC:  # its rod is one stroke, as long as the joint is far out
+            solid, lift = _box(place, t), t + max(map(abs, joint_range(layout.arm, i))) / 2
+        else:
+            solid, lift = _cylinder(place, t), 3 * t
+        items += [Item(f"joint-{i + 1}-{k}", shape, style, _at(frame, *points), body, lift=lift)
                   for k, (shape, style, points) in enumerate(solid)]
     return items
 
@@ -296,10 +304,10 @@ def _triad(layout: _Layout, name: str, frame: int, length: float) -> list[Item]:
     for letter, axis in zip("xyz", _AXES):
         items += [
             Item(f"frame-{name}-{letter}", ARROW, letter, _at(frame, (0, 0, 0), length * axis),
-                 layout.body(), "frames", lift=4 * layout.thick),
+                 layout.body(), "frames", lift=layout.radius),
             Item(f"label-{name}-{letter}", TEXT, letter,
                  _at(frame, (length + 0.033 * layout.radius) * axis), layout.body(), "labels",
-                 letter + subscript(name), lift=2 * layout.radius),
+                 letter + subscript(name), lift=3 * layout.radius),
         ]
     return items
 
