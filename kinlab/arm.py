@@ -42,6 +42,8 @@ class Link:
             object.__setattr__(self, parameter, value)
         if self.limits is not None:
             object.__setattr__(self, "limits", _limits(self.limits))
+        if self.name is not None:
+            checks.line("name", self.name)
 
     @property
     def variable(self) -> str:
@@ -141,6 +143,8 @@ class Arm:
     def __post_init__(self) -> None:
         object.__setattr__(self, "links", _links(self.links))
         checks.choice("convention", self.convention, tuple(CONVENTIONS))
+        checks.line("name", self.name)
+        checks.line("unit", self.unit)
         for end in ("base", "tool"):
             object.__setattr__(self, end, _pose(end, getattr(self, end)))
         home = np.zeros(self.n) if self.home is None else self.home
@@ -169,8 +173,8 @@ class Arm:
         head, *rows = self.table()
         tag = lambda name, cells: "".join(f"<{name}>{cell}</{name}>" for cell in cells)  # noqa: E731
         body = "".join(f"<tr>{tag('td', row)}</tr>" for row in rows)
-        return (f"<table><caption>{self._title()}</caption>"
-                f"<thead><tr>{tag('th', head)}</tr></thead><tbody>{body}</tbody></table>")
+        return (f'<table><caption style="text-align: left; white-space: nowrap">{self._title()}'
+                f"</caption><thead><tr>{tag('th', head)}</tr></thead><tbody>{body}</tbody></table>")
 
     def table(self) -> list[list[str]]:
         """The DH table as text: a header and one row per joint, in the convention's order."""

@@ -80,6 +80,13 @@ def choice(name: str, value: Any, options: tuple[str, ...]) -> str:
     return value
 
 
+def line(name: str, value: Any) -> str:
+    """One line of text, for a name or a unit."""
+    if not isinstance(value, str) or len(value.splitlines()) > 1:
+        raise ValueError(f"{name}: expected one line of text, got {brief(value)}")
+    return value
+
+
 def brief(value: Any, most: int = 60) -> str:
     """The value as it would be typed, shortened to fit a sentence."""
     text = " ".join(repr(value).split())

@@ -79,7 +79,8 @@ def link_frames(arm: Arm, q: Any) -> np.ndarray:
     >>> link_frames(robots.two_link(), [0, 0])[:, 0, 3]
     array([0., 0., 1.])
     """
-    return _matrices(arm.chain[:-1], joint_values(arm, q))
+    q = joint_values(arm, q)
+    return _matrices(arm.chain[:-1], q)
 
 
 def jacobian(arm: Arm, q: Any) -> np.ndarray:

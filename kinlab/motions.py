@@ -119,7 +119,8 @@ def along(chain: Iterable[Iterable[Motion]], q: Sequence) -> Iterator[Frame]:
 def motions_of(T: np.ndarray) -> tuple[Motion, ...]:
     """Elementary motions Tx Ty Tz Rz Ry Rx that make a constant rigid matrix."""
     R, origin = T[:3, :3], T[:3, 3]
-    yaw = math.atan2(R[1, 0], R[0, 0])
+    # Where x points straight up, yaw and roll turn about one axis and rounding noise has no say.
+    yaw = math.atan2(R[1, 0], R[0, 0]) if math.hypot(R[1, 0], R[0, 0]) > 1e-12 else 0.0
     c, s = math.cos(yaw), math.sin(yaw)
     # Taking the rest from Rz(-yaw) R keeps the product exact when x points straight up.
     pitch = math.atan2(-R[2, 0], c * R[0, 0] + s * R[1, 0])

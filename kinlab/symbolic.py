@@ -14,7 +14,7 @@ import sympy as sp
 
 from . import checks, notation
 from .arm import REVOLUTE, Arm, _check_arm
-from .motions import ROTATE, Motion, X, Y, Z, follow, matrix
+from .motions import ROTATE, Motion, X, Y, Z, follow, keep_whole, matrix
 
 
 @dataclass(frozen=True, eq=False)
@@ -103,7 +103,7 @@ def closed_form(arm: Arm, start: int = 0, stop: int | None = None, *,
     motions = [_exact(motion, names.get((part, motion.axis)), values)
                for part in range(first, last) for motion in arm.chain[part]]
     frame = follow(motions, joints)
-    return ClosedForm(sp.Matrix(matrix(frame)), joints, values)
+    return ClosedForm(sp.Matrix(keep_whole(matrix(frame).astype(object))[0]), joints, values)
 
 
 def joint_symbol(kind: str, i: int) -> sp.Symbol:
@@ -128,7 +128,7 @@ def _stretch(arm: Arm, start: int, stop: int | None) -> tuple[int, int]:
     end = arm.n if stop is None else stop
     if not all(isinstance(k, Integral) for k in (start, end)) or not 0 <= start <= end <= arm.n:
         raise ValueError(f"start, stop: expected frames 0 <= start <= stop <= {arm.n}, "
-                         f"got start={start!r}, stop={stop!r}")
+                         f"got start={checks.brief(start)}, stop={checks.brief(stop)}")
     return (start + 1 if start else 0), (arm.n + 2 if stop is None else end + 1)
 
 
