@@ -8,7 +8,8 @@ from textbook import rigid, zyz
 
 import kinlab as kl
 
-exact_angles = st.integers(-24, 24).map(lambda k: k * pi / 12)
+right_angles = st.integers(-4, 4).map(lambda k: k * pi / 2)
+exact_angles = right_angles | st.integers(-24, 24).map(lambda k: k * pi / 12)
 angles = exact_angles | st.floats(-7, 7, allow_subnormal=False)
 typed_lengths = st.integers(-2000, 2000).map(lambda k: k / 1000)  # decimals, as a student types
 lengths = st.just(0.0) | typed_lengths | st.floats(-2, 2, allow_subnormal=False)
@@ -33,9 +34,9 @@ def links(draw, angle=angles, length=lengths):
 
 
 @st.composite
-def arms(draw, angle=angles, length=lengths, most=7, ends=True):
+def arms(draw, angle=angles, length=lengths, most=7, ends=poses):
     """Arms of 1 to 7 joints in both conventions, some with a base and a tool."""
-    end = st.none() | poses(angle, length) if ends else st.none()
+    end = st.none() if ends is None else st.none() | ends()
     return kl.Arm(draw(st.lists(links(angle, length), min_size=1, max_size=most)),
                   convention=draw(st.sampled_from(["standard", "modified"])),
                   base=draw(end), tool=draw(end))

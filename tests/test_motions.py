@@ -117,6 +117,13 @@ def test_motions_of_a_frame_whose_x_points_straight_up_or_down(pitch, R):
     np.testing.assert_allclose(matrix(follow(motions_of(T), ())), T, atol=1e-12)
 
 
+def test_rounding_noise_makes_no_odd_angles():
+    noise = 1e-16 * np.array([[-1, 1, 0], [1, 0, 1], [0, 1, 1]])
+    T = rigid(turn((0, 1, 0), -pi / 2) @ turn((1, 0, 0), pi / 2) + noise)
+    assert [(m.axis, m.amount) for m in motions_of(T)] == [
+        (Y, pytest.approx(-pi / 2)), (X, pytest.approx(pi / 2))]
+
+
 def test_the_identity_needs_no_motions():
     assert motions_of(np.eye(4)) == ()
     assert [m.axis for m in motions_of(rigid(o=(1, 0, 2)))] == [X, Z]

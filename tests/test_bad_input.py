@@ -1,0 +1,310 @@
+"""Bad input is refused with one sentence that begins with the argument's name, never computed."""
+import datetime
+import re
+import warnings
+from decimal import Decimal
+from fractions import Fraction
+
+import numpy as np
+import pytest
+import sympy as sp
+from hypothesis import example, given, settings
+from hypothesis import strategies as st
+from hypothesis.extra.numpy import array_shapes, arrays
+
+import kinlab as kl
+
+ARM = kl.robots.alpha_ii()
+ONE = kl.Arm([kl.revolute()])
+EYE = np.eye(4)
+FLAT = kl.zyz_angles(np.eye(3))
+LINKS = [kl.revolute(), kl.prismatic()]
+
+# Every argument of every public function, with a call that puts a value in its place.
+NUMBERS = {
+    "kl.revolute theta": lambda x: kl.revolute(theta=x),
+    "kl.revolute d": lambda x: kl.revolute(d=x),
+    "kl.revolute a": lambda x: kl.revolute(a=x),
+    "kl.revolute alpha": lambda x: kl.revolute(alpha=x),
+    "kl.prismatic theta": lambda x: kl.prismatic(theta=x),
+    "kl.prismatic d": lambda x: kl.prismatic(d=x),
+    "kl.prismatic a": lambda x: kl.prismatic(a=x),
+    "kl.prismatic alpha": lambda x: kl.prismatic(alpha=x),
+    "kl.Link theta": lambda x: kl.Link("revolute", theta=x),
+    "kl.ZYZAngles phi": FLAT.member,
+    "kl.forward_kinematics q": lambda x: kl.forward_kinematics(ARM, x),
+    "kl.link_frames q": lambda x: kl.link_frames(ARM, x),
+    "kl.jacobian q": lambda x: kl.jacobian(ARM, x),
+    "kl.zyz_angles R": kl.zyz_angles,
+}
+SYMBOLS_TOO = {
+    "kl.rotation_2d theta": kl.rotation_2d,
+    "kl.rotation_x angle": kl.rotation_x,
+    "kl.rotation_y angle": kl.rotation_y,
+    "kl.rotation_z angle": kl.rotation_z,
+    "kl.homogeneous R": lambda x: kl.homogeneous(x, [0, 0, 0]),
+    "kl.homogeneous o": lambda x: kl.homogeneous(np.eye(3), x),
+    "kl.translation o": kl.translation,
+    "kl.inverse T": kl.inverse,
+    "kl.apply T": lambda x: kl.apply(x, [0, 0, 0]),
+    "kl.apply p": lambda x: kl.apply(EYE, x),
+    "kl.compose transforms": kl.compose,
+    "kl.compose transforms second": lambda x: kl.compose(EYE, x),
+    "kl.zyz_matrix phi": lambda x: kl.zyz_matrix(x, 0, 0),
+    "kl.zyz_matrix theta": lambda x: kl.zyz_matrix(0, x, 0),
+    "kl.zyz_matrix psi": lambda x: kl.zyz_matrix(0, 0, x),
+}
+NONE_TOO = {
+    "kl.revolute limits": lambda x: kl.revolute(limits=x),
+    "kl.prismatic limits": lambda x: kl.prismatic(limits=x),
+    "kl.Arm base": lambda x: kl.Arm(LINKS, base=x),
+    "kl.Arm tool": lambda x: kl.Arm(LINKS, tool=x),
+    "kl.Arm home": lambda x: kl.Arm(LINKS, home=x),
+}
+OTHERS = {
+    "kl.Arm links": kl.Arm,
+    "kl.forward_kinematics arm": lambda x: kl.forward_kinematics(x, [0]),
+    "kl.link_frames arm": lambda x: kl.link_frames(x, [0]),
+    "kl.jacobian arm": lambda x: kl.jacobian(x, [0]),
+    "kl.closed_form arm": kl.closed_form,
+    "kl.to_modified arm": kl.to_modified,
+    "kl.to_standard arm": kl.to_standard,
+}
+WORDS = {
+    "kl.Link kind": kl.Link,
+    "kl.Arm convention": lambda x: kl.Arm(LINKS, convention=x),
+    "kl.closed_form lengths": lambda x: kl.closed_form(ONE, lengths=x),
+}
+LINES = {
+    "kl.Arm name": lambda x: kl.Arm(LINKS, name=x),
+    "kl.Arm unit": lambda x: kl.Arm(LINKS, unit=x),
+    "kl.revolute name": lambda x: kl.revolute(name=x),
+    "kl.prismatic name": lambda x: kl.prismatic(name=x),
+}
+FRAMES = {
+    "kl.closed_form start": lambda x: kl.closed_form(ONE, x),
+    "kl.closed_form stop": lambda x: kl.closed_form(ONE, 0, x),
+}
+EVERY = NUMBERS | SYMBOLS_TOO | NONE_TOO | OTHERS | WORDS | LINES | FRAMES
+every = pytest.mark.parametrize("call", EVERY)
+
+NEVER_A_NUMBER = [
+    "1", "", "half a turn", b"1", object(), object, len, {}, {"q": 1}, {1.0}, 1j, 1 + 0j,
+    [1, "2"], ["1", "2", "3"], [[1, 2], [3]], [None], [1, None, 3], [object()], [[[]], 1],
+    float("nan"), float("inf"), -float("inf"), [float("nan")] * 3, [1, 2, float("inf")], 10**400,
+    [10**400, 1, 2], 1e200, -1e200, [1e308] * 3, np.full((4, 4), np.nan), np.full(5, np.inf),
+    np.float64("nan"), Decimal("NaN"), Decimal("Infinity"), datetime.datetime(2024, 1, 1),
+    np.datetime64("2024-01-01"), np.array(["a", "b", "c"]), np.zeros(3, dtype="c16"),
+    np.zeros(3, dtype=[("x", float)]), (k for k in range(3)), range, slice(3), ..., NotImplemented,
+    sp.nan, sp.zoo, sp.oo, sp.I, [sp.oo, 0, 0], [sp.Symbol("x"), "1", 0],
+    [sp.Symbol("x"), float("nan"), 0], sp.Eq(sp.Symbol("x"), 1), sp.Symbol("x") < 1,
+    sp.FiniteSet(1), kl, kl.Arm, ARM, kl.revolute(), lambda q: q, Exception("no"),
+]
+
+
+def refuse(call, value):
+    """The message of the ValueError that the value must raise."""
+    with warnings.catch_warnings(), pytest.raises(ValueError) as caught:
+        warnings.simplefilter("error")
+        EVERY[call](value)
+    assert call.split()[1] in names_in(caught.value)
+    return str(caught.value)
+
+
+def names_in(error):
+    """The arguments that a message of one line is about."""
+    start = re.match(r"(\w+(, \w+)*)(\[\d+\])?(\[:3, :3\])?: expected ", str(error))
+    assert start and len(str(error).splitlines()) == 1, str(error)
+    return start.group(1).split(", ")
+
+
+def is_finite(result):
+    """No NaN and no infinity anywhere in what a call returned."""
+    if isinstance(result, np.ndarray) and result.dtype != object:
+        return np.isfinite(result).all()
+    if isinstance(result, kl.Arm):
+        return all(map(is_finite, (result.base, result.tool, result.home)))
+    if isinstance(result, kl.Link):
+        return all(map(np.isfinite, (result.theta, result.d, result.a, result.alpha)))
+    if isinstance(result, kl.ClosedForm):
+        return not result.matrix.has(sp.nan, sp.oo, sp.zoo)
+    if isinstance(result, kl.ZYZAngles | tuple):
+        return np.isfinite(tuple(result)).all()
+    return not any(entry != entry or entry in (sp.oo, -sp.oo, sp.zoo) for entry in result.flat)
+
+
+@pytest.mark.parametrize("call", NUMBERS | SYMBOLS_TOO | NONE_TOO)
+def test_what_is_no_number_is_refused(call):
+    for value in NEVER_A_NUMBER:
+        refuse(call, value)
+
+
+@pytest.mark.parametrize("call", NUMBERS | SYMBOLS_TOO)
+def test_none_is_refused(call):
+    refuse(call, None)
+
+
+@pytest.mark.parametrize("call", NUMBERS | NONE_TOO)
+def test_symbols_are_refused_where_only_numbers_work(call):
+    refuse(call, sp.Symbol("x"))
+    refuse(call, [sp.Symbol("x"), 0])
+
+
+@pytest.mark.parametrize("call", OTHERS)
+def test_what_is_no_arm_is_refused(call):
+    for value in [*NEVER_A_NUMBER, None, 1, [], (), np.zeros(3), "abc", [1, 2], [None]]:
+        if value is not ARM:
+            refuse(call, value)
+
+
+@pytest.mark.parametrize("call", WORDS)
+def test_unknown_words_are_refused(call):
+    for value in [*NEVER_A_NUMBER, None, 1, "Standard", "standard ", "craig", ["standard"]]:
+        assert "or '" in refuse(call, value)
+
+
+@pytest.mark.parametrize("call", LINES)
+def test_names_are_one_line_of_text(call):
+    for value in (1, b"arm", ["arm"], object(), float("nan"), "two\nlines"):
+        refuse(call, value)
+
+
+@pytest.mark.parametrize("call", FRAMES)
+def test_frames_that_do_not_exist_are_refused(call):
+    for value in [*NEVER_A_NUMBER, -1, 2, 99, 0.0, 0.5, "0", [0], np.array([0, 1])]:
+        refuse(call, value)
+
+
+def test_frames_in_the_wrong_order_are_refused():
+    with pytest.raises(ValueError, match=r"^start, stop: expected frames 0 <= start <= stop <= 5"):
+        kl.closed_form(ARM, 4, 3)
+    with pytest.raises(ValueError, match="start=None"):
+        kl.closed_form(ARM, None)
+
+
+numbers = st.floats() | st.sampled_from([0, 1, -1, 0.0, -0.0, 5e-324, 1e-300, 1e99, -1e99, 1e101])
+junk = st.one_of(
+    numbers, st.integers(), st.booleans(), st.text(max_size=3), st.none(), st.binary(max_size=2),
+    st.complex_numbers(), st.fractions(), st.decimals(), st.dates(),
+    st.sampled_from([v for v in NEVER_A_NUMBER if not isinstance(v, type(k for k in ()))]),
+    st.sampled_from([sp.Symbol("x"), sp.pi, sp.Rational(1, 3), sp.sin(sp.Symbol("x"))]),
+    st.lists(numbers | st.none() | st.text(max_size=2), max_size=6),
+    st.lists(st.lists(numbers, max_size=4), max_size=4),
+    arrays(float, array_shapes(max_dims=4, max_side=5, min_side=0), elements=numbers),
+    arrays(float, st.sampled_from([(5,), (2, 5), (3,), (3, 3), (4, 4), (2, 4, 4)]),
+           elements=st.sampled_from([0.0, 1.0, -1.0])),
+    arrays(st.sampled_from([bool, int, complex, "U2", "M8[s]", object, np.float32, np.uint8]),
+           array_shapes(max_dims=2, max_side=5), fill=st.nothing()),
+)
+
+
+@every
+@given(value=junk)
+@example(value=np.eye(4))
+@example(value=np.eye(3))
+@settings(max_examples=40)
+def test_anything_is_computed_or_refused_in_one_sentence(call, value):
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        try:
+            result = EVERY[call](value)
+        except ValueError as error:
+            arguments = {other.split()[1] for other in EVERY if other.split()[0] == call.split()[0]}
+            assert arguments.intersection(names_in(error))
+        else:
+            assert is_finite(result)
+
+
+def test_every_public_function_is_listed_here():
+    elsewhere = {"ArmView", "ClosedForm", "exercises", "robots"}
+    listed = {call.split()[0].removeprefix("kl.") for call in EVERY}
+    assert set(kl.__all__) - elsewhere <= listed
+
+
+@pytest.mark.parametrize("call", ["kl.forward_kinematics q", "kl.link_frames q", "kl.jacobian q"])
+def test_shapes_of_joint_values(call):
+    for value in (0, [], [0] * 4, [0] * 6, np.zeros((5, 4)), np.zeros((5, 1)), np.zeros((2, 3, 4))):
+        got = re.escape(str(np.shape(value)))
+        message = refuse(call, value)
+        assert re.match(rf"q: expected shape \(\.\.\., 5\) for arm 'Alpha II', got {got}", message)
+
+
+def test_an_unnamed_arm_in_a_message():
+    with pytest.raises(ValueError, match=r"^q: expected shape \(\.\.\., 1\) for this arm, got"):
+        kl.forward_kinematics(ONE, [0, 0])
+
+
+@pytest.mark.parametrize("limits", [(1, -1), (1, 1), (1,), (1, 2, 3), [[1, 2]], [[1, 2], [3, 4]],
+                                    [[1, 2], [3, 4], [5, 6]], 1, ()])
+def test_limits(limits):
+    assert "two numbers" in refuse("kl.revolute limits", limits) or limits in ((1, -1), (1, 1))
+
+
+def test_reversed_limits_say_what_to_do():
+    assert refuse("kl.revolute limits", (1, -1)).endswith("got (1, -1); swap them")
+
+
+def test_an_arm_needs_a_link():
+    assert refuse("kl.Arm links", []) == (
+        "links: expected at least one link, got []; make them with revolute() and prismatic()")
+
+
+@pytest.mark.parametrize("home", [0.0, [], [0], [0, 0, 0], [[0, 0]], [[0, 0], [0, 0]]])
+def test_home_fits_the_arm(home):
+    assert "2 joint values" in refuse("kl.Arm home", home)
+
+
+def bent(i, j, by):
+    T = np.eye(4)
+    T[i, j] += by
+    return T
+
+
+@pytest.mark.parametrize("call", ["kl.Arm base", "kl.Arm tool"])
+@pytest.mark.parametrize("T", [
+    2 * np.eye(4), np.diag([2.0, 1, 1, 1]), np.diag([1.0, 1, -1, 1]), np.diag([1.0, 1, 1, 2]),
+    np.zeros((4, 4)), np.ones((4, 4)), np.eye(3), np.eye(5), np.zeros((0, 4, 4)),
+    np.stack([np.eye(4)] * 2), np.eye(4)[None], np.zeros(3),
+    *(bent(i, j, 1e-3) for i in range(4) for j in range(4) if j < 3 or i == 3)])
+def test_base_and_tool_are_rigid(call, T):
+    refuse(call, T)
+
+
+def test_what_a_rigid_matrix_lacks_is_named():
+    assert "off by 3" in refuse("kl.Arm base", np.diag([2.0, 1, 1, 1]))
+    assert "mirror image" in refuse("kl.Arm base", np.diag([1.0, 1, -1, 1]))
+    assert "last row 0 0 0 1" in refuse("kl.Arm base", bent(3, 0, 1))
+    assert "4x4" in refuse("kl.Arm tool", np.eye(3))
+
+
+@pytest.mark.parametrize("call", ["kl.inverse T", "kl.apply T", "kl.compose transforms",
+                                  "kl.homogeneous R", "kl.zyz_angles R"])
+def test_matrices_that_are_not_rigid_are_refused(call):
+    for n in (2, 3, 4, 5):
+        for matrix in (2 * np.eye(n), np.zeros((n, n)), np.ones((n, n)), np.diag([1.0] * (n - 1) +
+                       [-1]), np.eye(n) + 0.01, np.eye(n)[:-1], np.eye(n)[0], sp.eye(n) * 3):
+            refuse(call, matrix)
+
+
+@pytest.mark.parametrize("names, compute", [
+    ("R, o", lambda: kl.homogeneous(np.stack([np.eye(3)] * 3), np.zeros((2, 3)))),
+    ("R, o", lambda: kl.homogeneous(np.eye(3), [0, 0])),
+    ("T, p", lambda: kl.apply(np.stack([EYE] * 3), np.zeros((2, 3)))),
+    ("p", lambda: kl.apply(EYE, [1, 2, 3, 1])),
+    ("transforms", lambda: kl.compose(np.stack([EYE] * 3), np.stack([EYE] * 2))),
+    ("transforms", lambda: kl.compose(np.eye(3), np.eye(4))),
+    ("transforms", lambda: kl.compose()),
+    ("phi, theta, psi", lambda: kl.zyz_matrix([1, 2], [1, 2, 3], 0)),
+    ("R", lambda: kl.zyz_angles(np.eye(3)[None])),
+    ("R", lambda: kl.zyz_angles(np.eye(2))),
+])
+def test_arguments_that_do_not_fit_together(names, compute):
+    with pytest.raises(ValueError, match=f"^{names}: expected "):
+        compute()
+
+
+def test_odd_but_good_numbers_are_taken():
+    for one in (1, True, np.float32(1), np.int8(1), Fraction(1), Decimal(1), sp.Integer(1)):
+        assert kl.revolute(a=one).a == 1
+    assert kl.forward_kinematics(ONE, [Fraction(1, 2)])[0, 0] == pytest.approx(np.cos(0.5))
+    assert np.isfinite(kl.forward_kinematics(ARM, np.full((2, 5), 1e99))).all()

@@ -1,0 +1,144 @@
+"""The package as a whole: what it loads, which module may know which, and its size."""
+import ast
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+import kinlab as kl
+
+PACKAGE = Path(kl.__file__).parent
+SOURCES = sorted(PACKAGE.glob("*.py"))
+TREES = {path.stem: ast.parse(path.read_text(encoding="utf-8")) for path in SOURCES}
+HEAVY = ("sympy", "matplotlib", "ipywidgets", "anywidget", "IPython")
+
+# What each module of the mathematics may import besides the standard library.
+MATHEMATICS = {
+    "checks": {"numpy"},
+    "motions": {"numpy", "sympy"},  # sympy only where a caller brings a symbol
+    "transforms": {"numpy", "checks", "motions"},
+    "arm": {"numpy", "checks", "motions"},
+    "kinematics": {"numpy", "checks", "motions", "arm"},
+    "notation": {"sympy"},
+    "symbolic": {"sympy", "checks", "motions", "arm", "kinematics", "notation"},
+    "euler": {"numpy", "checks", "motions", "transforms"},
+    "robots": {"numpy", "arm"},
+    "__init__": set(),
+}
+DRAWING = ("scene", "draw")
+VIEWS = ("live",)
+WIDGETS = {"ipywidgets", "anywidget", "traitlets", "IPython"}
+
+
+def imports(tree):
+    """Every module that a source imports, anywhere in it; kinlab's own by their bare names."""
+    found = set()
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Import):
+            found |= {alias.name.split(".")[0] for alias in node.names}
+        elif isinstance(node, ast.ImportFrom) and node.level and not node.module:
+            found |= {alias.name for alias in node.names}
+        elif isinstance(node, ast.ImportFrom):
+            found.add(node.module.split(".")[1 if node.module.startswith("kinlab.") else 0])
+    return found - sys.stdlib_module_names
+
+
+def fresh(code):
+    """What a fresh Python prints."""
+    run = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    return run.stdout.split()
+
+
+def loaded_by(code):
+    return set(fresh(f"import sys\n{code}\nprint(*sys.modules)"))
+
+
+def test_import_loads_no_heavy_library():
+    assert not loaded_by("import kinlab").intersection(HEAVY)
+
+
+def test_numbers_need_no_heavy_library():
+    code = ("import kinlab as kl; arm = kl.to_modified(kl.robots.alpha_ii())\n"
+            "kl.jacobian(arm, arm.home); kl.zyz_angles(kl.rotation_x(0.1)); kl.compose(arm.base)")
+    assert not loaded_by(code).intersection(HEAVY)
+
+
+def test_closed_forms_need_no_drawing():
+    code = "import kinlab as kl; kl.closed_form(kl.robots.two_link()).text"
+    modules = loaded_by(code)
+    assert "sympy" in modules and not modules.intersection({"matplotlib", "ipywidgets"})
+
+
+@pytest.mark.parametrize("name", kl.__all__)
+def test_every_public_name_resolves(name):
+    assert getattr(kl, name) is not None
+    assert name in dir(kl)
+
+
+def test_an_unknown_name_is_an_attribute_error():
+    with pytest.raises(AttributeError, match="module 'kinlab' has no attribute 'forward'"):
+        kl.forward  # noqa: B018
+
+
+def test_public_names_are_documented():
+    for name in kl.__all__:
+        assert getattr(kl, name).__doc__, name
+
+
+def test_version_is_a_release_number():
+    assert re.fullmatch(r"\d+\.\d+\.\d+", kl.__version__)
+
+
+@pytest.mark.parametrize("module", MATHEMATICS)
+def test_mathematics_knows_only_what_it_may(module):
+    assert imports(TREES[module]) <= MATHEMATICS[module]
+
+
+@pytest.mark.parametrize("module", sorted(set(TREES) - set(DRAWING) - set(VIEWS)))
+def test_nothing_below_the_views_knows_drawing_or_widgets(module):
+    assert not imports(TREES[module]) & {"matplotlib", *DRAWING, *VIEWS, *WIDGETS}
+
+
+@pytest.mark.parametrize("module", sorted(set(DRAWING) & set(TREES)))
+def test_drawing_knows_no_widgets(module):
+    assert not imports(TREES[module]) & {*WIDGETS, *VIEWS}
+
+
+def test_pyplot_is_never_used():
+    """Its global state is not safe beside JupyterLab's threads."""
+    assert not [path.name for path in SOURCES if "pyplot" in path.read_text(encoding="utf-8")]
+
+
+def test_modules_import_each_other_in_one_direction():
+    graph = {module: imports(tree) & set(TREES) for module, tree in TREES.items()}
+    while graph:
+        leaves = {module for module, needs in graph.items() if not needs & set(graph)}
+        assert leaves, f"these import each other in a circle: {sorted(graph)}"
+        graph = {module: needs for module, needs in graph.items() if module not in leaves}
+
+
+def functions():
+    for module, tree in TREES.items():
+        for node in ast.walk(tree):
+            if isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef):
+                yield f"{module}.{node.name}", code_lines(node)
+
+
+def code_lines(function):
+    """Lines of a function without its docstring."""
+    doc = function.body[0] if ast.get_docstring(function) is not None else None
+    return function.end_lineno - function.lineno + 1 - (
+        doc.end_lineno - doc.lineno + 1 if doc else 0)
+
+
+def test_style_functions_are_short():
+    lengths = dict(functions())
+    assert not {name: length for name, length in lengths.items() if length > 40}
+    assert sorted(lengths.values())[len(lengths) // 2] < 8
+
+
+def test_style_modules_are_short():
+    lengths = {path.name: len(path.read_text(encoding="utf-8").splitlines()) for path in SOURCES}
+    assert not {name: length for name, length in lengths.items() if length > 350}
