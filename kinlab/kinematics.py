@@ -15,13 +15,13 @@ from .motions import Frame, Motion, along, matrix
 CHUNK = 4096
 
 
-def joint_values(arm: Arm, q: Any) -> np.ndarray:
+def joint_values(arm: Arm, q: Any, name: str = "q") -> np.ndarray:
     """Joint values as an array (..., n), or a ValueError that says what was wrong."""
     _check_arm(arm)
     who = f"arm '{arm.name}'" if arm.name else "this arm"
-    q = checks.real_array("q", q, f"{arm.n} joint values in radians or {arm.unit}")
+    q = checks.real_array(name, q, f"{arm.n} joint values in radians or {arm.unit}")
     if q.shape[-1:] != (arm.n,):
-        raise ValueError(f"q: expected shape (..., {arm.n}) for {who}, got {q.shape}; "
+        raise ValueError(f"{name}: expected shape (..., {arm.n}) for {who}, got {q.shape}; "
                          "give one value per joint")
     return q
 

@@ -81,9 +81,8 @@ class ArmView(ipywidgets.Box):
         start = _one_pose(arm, arm.home if isinstance(arm, Arm) and q is None else q)
         preset = preset or ("top" if is_planar(arm) else "3-D")
         checks.choice("preset", preset, tuple(PRESETS))
-        for layer in show:
-            checks.choice("show", layer, tuple(name for name, *_ in _LAYERS))
-        self.arm, self._preset, self._show = arm, preset, tuple(show)
+        poses = None if poses is None else _poses(arm, poses)
+        self.arm, self._preset, self._show = arm, preset, _layers(show)
         self._scene = arm_scene(arm)
         self._ranges = np.array([joint_range(arm, i) for i in range(arm.n)])
         self._scales = np.array([math.radians(1) if link.kind == REVOLUTE else 1.0
@@ -151,7 +150,7 @@ class ArmView(ipywidgets.Box):
         revolute = self.arm.links[i].kind == REVOLUTE
         return 1.0 if revolute else 10.0 ** math.floor(math.log10((high - low) / 20))
 
-    def _data(self, poses: Any) -> dict:
+    def _data(self, poses: np.ndarray | None) -> dict:
         """The scene with what the panels need: joints, poses, table and switches."""
         arm, low_high = self.arm, self._ranges
         tool = "E" if not np.array_equal(arm.tool, np.eye(4)) else str(arm.n)
@@ -169,7 +168,7 @@ class ArmView(ipywidgets.Box):
                      "decimals": digits, "unit": arm.unit},
             "home": np.clip(arm.home, *low_high.T).tolist(),
             "zero": np.clip(0.0, *low_high.T).tolist(),
-            "poses": (self._tour() if poses is None else _poses(arm, poses)).tolist(),
+            "poses": (self._tour() if poses is None else poses).tolist(),
         }
 
     def _tour(self) -> np.ndarray:
@@ -202,8 +201,16 @@ def _one_pose(arm: Arm, q: Any) -> np.ndarray:
     return q
 
 
+def _layers(show: Any) -> tuple[str, ...]:
+    try:
+        layers = (show,) if isinstance(show, str) else tuple(show)
+    except TypeError:
+        layers = (show,)
+    return tuple(checks.choice("show", layer, LAYERS) for layer in layers)
+
+
 def _poses(arm: Arm, poses: Any) -> np.ndarray:
-    poses = joint_values(arm, poses)
+    poses = joint_values(arm, poses, "poses")
     if poses.ndim != 2 or not len(poses):
         raise ValueError(f"poses: expected shape (m, {arm.n}) with m > 0, got {poses.shape}; "
                          "give a list of joint vectors")
