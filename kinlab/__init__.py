@@ -14,7 +14,7 @@ _NAMES = {
                    "rotation_y", "rotation_z", "translation"),
     "symbolic": ("ClosedForm", "closed_form"),
     "euler": ("ZYZAngles", "zyz_angles", "zyz_matrix"),
-    "live": ("ArmView",),
+    "arm_view": ("ArmView",),
 }
 _HOME = {name: module for module, names in _NAMES.items() for name in names}
 _MODULES = ("exercises", "robots")

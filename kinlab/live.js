@@ -6,13 +6,17 @@
 
 const ROTATE = 0;
 
-/** Every frame along the motions at joint values q: [x, y, z, origin], each a triple. */
+/** How far a motion goes: amount + gain q, or with a start, as far as its knob has scrubbed. */
+function travel([, , amount, joint, gain, start], q) {
+  if (joint < 0) return amount;
+  return amount + gain * (start === null ? q[joint] : Math.min(1, Math.max(0, q[joint] - start)));
+}
+
+/** Every frame along the motions at the knobs' values q: [x, y, z, origin], each a triple. */
 export function frames(motions, q) {
-  let frame = [[1, 0, 0], [0, 1, 0], [0, 0, 1], [0, 0, 0]];
-  const all = [frame];
-  for (const [kind, axis, amount, joint] of motions) {
-    const value = joint < 0 ? amount : amount + q[joint];
-    frame = frame.slice();
+  const all = [[[1, 0, 0], [0, 1, 0], [0, 0, 1], [0, 0, 0]]];
+  for (const motion of motions) {
+    const [kind, axis] = motion, value = travel(motion, q), frame = all[motion[6]].slice();
     if (kind === ROTATE) {
       const i = (axis + 1) % 3, j = (axis + 2) % 3, c = Math.cos(value), s = Math.sin(value);
       const [u, v] = [frame[i], frame[j]];
@@ -125,7 +129,7 @@ class Picture {
       }
     }
     this.stack(depths);
-    return at[this.scene.tip];
+    return at;
   }
 
   set({ shape, node }, points) {
@@ -157,7 +161,9 @@ class Picture {
 // ---- the pointer and the keys: drag or arrows orbit, wheel or +/- zooms, double click resets ----
 
 function orbit(box, picture, redraw, resetView) {
+  const flat = Object.keys(picture.scene.presets).length === 1;   // a plane is seen from above
   const rotate = (right, up) => {
+    if (flat) return;
     const camera = picture.camera;
     camera.azimuth -= right;
     camera.elevation = Math.max(-90, Math.min(90, camera.elevation + up));
@@ -224,29 +230,53 @@ function toolbar(groups) {
   return bar;
 }
 
-function poseTable({ pose }) {
-  const columns = ["n", "s", "a", "p"];
-  const titles = ["normal vector", "sliding vector", "approach vector", "position"];
-  const head = make("tr", {}, ...columns.map((c, k) =>
-    make("th", { class: `kl-column-${c}`, scope: "col", title: titles[k] },
-         c === "p" && pose.unit ? `p (${pose.unit})` : c)));
-  const cells = [0, 1, 2, 3].map(() => columns.map((c) => make("td", { class: `kl-column-${c}` })));
+function number(value, decimals) {
+  const text = value.toFixed(decimals);
+  return Number(text) === 0 ? (0).toFixed(decimals) : text.replace("-", "\u2212");
+}
+
+/** The matrix of the tip's frame: axes and origin as columns, in space or in the plane. */
+function poseTable(pose) {
+  const rows = pose.columns.length - 1;             // 3 in space, 2 in the plane
+  const sources = [...Array(rows).keys(), 3];       // the frame's axes, then its origin
+  const style = (k) => ({ class: k < rows ? `kl-column-${"xyz"[k]}` : "kl-column-o" });
+  const head = make("tr", {}, ...pose.columns.map(({ name, title }, k) =>
+    make("th", { ...style(k), scope: "col", title },
+         k === rows && pose.unit ? `${name} (${pose.unit})` : name)));
+  const cells = [...Array(rows + 1)].map(() => pose.columns.map((_, k) => make("td", style(k))));
   const table = make("table", { class: "kl-pose" }, make("caption", {}, pose.title),
     make("thead", {}, head),
     make("tbody", {}, ...cells.map((row) => make("tr", {}, ...row))));
-  const show = (value, decimals) => {
-    const text = value.toFixed(decimals);
-    return Number(text) === 0 ? (0).toFixed(decimals) : text.replace("-", "\u2212");
+  cells[rows].forEach((cell, k) => { cell.textContent = k < rows ? "0" : "1"; });
+  const update = (frame) => {
+    cells.slice(0, rows).forEach((row, i) => row.forEach((cell, k) => {
+      cell.textContent = number(frame[sources[k]][i], k < rows ? 3 : pose.decimals);
+    }));
   };
-  const update = (tool) => {
-    for (let i = 0; i < 3; i++) {
-      for (let j = 0; j < 4; j++) {
-        cells[i][j].textContent = show(tool[j][i], j < 3 ? 3 : pose.decimals);
-      }
+  const text = () => cells.slice(0, rows).map((row) => row[rows].textContent).join(", ");
+  return { node: table, update, text: () => `at ${text()} ${pose.unit}` };
+}
+
+/** Formulas under the picture, whose vectors follow the knobs. */
+function readingLines({ readings, decimals }) {
+  const box = make("div", { class: "kl-readings" }), spans = [];
+  for (const { text, vectors } of readings) {
+    const [first, ...rest] = text.split("{}"), line = make("div", {}, first);
+    rest.forEach((words, k) => {
+      spans.push([make("span", { class: "kl-number" }), vectors[k]]);
+      line.append(spans.at(-1)[0], words);
+    });
+    box.append(line);
+  }
+  const update = (all) => {
+    for (const [span, { tail, head, frame, size }] of spans) {
+      const [from, to] = [tail, head].map(([k, ...local]) => inRoom(all[k], local));
+      const along = (axis) => axis.reduce((sum, e, k) => sum + e * (to[k] - from[k]), 0);
+      const parts = all[frame].slice(0, size).map((axis) => number(along(axis), decimals));
+      span.textContent = `(${parts.join(", ")})`;
     }
   };
-  cells[3].forEach((cell, j) => { cell.textContent = j < 3 ? "0" : "1"; });
-  return { table, update };
+  return { node: box, update, text: () => [...box.children].map((l) => l.textContent).join("; ") };
 }
 
 // ---- movement between poses ----
@@ -313,27 +343,29 @@ export function mount(element, svg, scene, joints) {
   picture.svg.setAttribute("role", "img");
   picture.svg.removeAttribute("width");
   picture.svg.removeAttribute("height");
-  const pose = poseTable(scene);
+  const pose = scene.pose && poseTable(scene.pose);
+  const lines = readingLines(scene);
   const remark = make("div", { class: "kl-remark", role: "status" });
 
   let preset = scene.preset, pending = 0, described = 0, note = "";
   const remarks = () => {
     const q = joints.read();
-    const text = note || scene.joints.flatMap(({ label, unit, scale, low, high }, i) => {
+    const text = note || scene.joints.flatMap(({ label, suffix, scale, low, high }, i) => {
       const slack = 1e-6 * (high - low);
       if (q[i] > low + slack && q[i] < high - slack) return [];
-      return `${label} is at its limit, ${Number((q[i] / scale).toFixed(3))}${unit}`;
+      return `${label} is at its limit, ${Number((q[i] / scale).toFixed(3))}${suffix}`;
     }).join("; ");
     if (remark.textContent !== text) remark.textContent = text;
   };
   const describe = () => {
-    const [x, y, z] = pose.table.querySelectorAll(".kl-column-p:is(td)");
-    picture.svg.setAttribute("aria-label", `${scene.name}, tool at ` +
-      `${[x, y, z].map((cell) => cell.textContent).join(", ")} ${scene.pose.unit}`);
+    const state = [pose, lines].map((panel) => panel?.text()).filter(Boolean).join("; ");
+    picture.svg.setAttribute("aria-label", `${scene.name}, ${state}`);
   };
   const draw = () => {
     pending = 0;
-    pose.update(picture.draw(joints.read()));
+    const all = picture.draw(joints.read());
+    pose?.update(all[scene.tip]);
+    lines.update(all);
     remarks();
     clearTimeout(described);
     described = setTimeout(describe, 400);          // a screen reader need not hear every step
@@ -353,22 +385,25 @@ export function mount(element, svg, scene, joints) {
     picture.show(layer, pressed);
     redraw();
   }, layer, on]);
+  const presets = Object.keys(scene.presets);
+  const playing = ["▶ Play", "Move smoothly from pose to pose", () => {
+    if (mover.request) return mover.stop();
+    mover.start(scene.poses, TOUR, true);
+    play.replaceChildren("Pause");
+    play.setAttribute("aria-pressed", "true");
+  }];
   const bar = toolbar([
-    ["Move", ["Home", "Move to the home pose", () => mover.start([scene.home], MOVE)],
-      ["Zero", "Set every joint to zero", () => mover.start([scene.zero], MOVE)],
-      ["▶ Play", "Move smoothly from pose to pose", () => {
-        if (mover.request) return mover.stop();
-        mover.start(scene.poses, TOUR, true);
-        play.replaceChildren("Pause");
-        play.setAttribute("aria-pressed", "true");
-      }]],
-    ["View", ...Object.keys(scene.presets).map((name) =>
+    ["Move", ["Home", "Move to where it began", () => mover.start([scene.home], MOVE)],
+      ...(scene.poses.length
+        ? [["Zero", "Set every joint to zero", () => mover.start([scene.zero], MOVE)], playing]
+        : [])],
+    ["View", ...(presets.length > 1 ? presets : []).map((name) =>
       [name[0].toUpperCase() + name.slice(1), `View: ${name}`, () => look(name)])],
     ["Show", ...switches],
     ["Screen", ["Full screen", "Fill the screen, with large type", () =>
       document.fullscreenElement ? document.exitFullscreen() : whole().requestFullscreen()]],
-  ]);
-  play = bar.querySelectorAll("button")[2];
+  ].filter((group) => group.length > 1));
+  play = scene.poses.length ? bar.querySelectorAll("button")[2] : null;
   const buttons = [...bar.querySelectorAll('[aria-label="Show"] button')];
   switches.forEach(([, , , layer, on], k) => {
     buttons[k].setAttribute("aria-pressed", on);
@@ -376,7 +411,7 @@ export function mount(element, svg, scene, joints) {
   });
 
   element.classList.add("kl-live");
-  element.append(bar, box, pose.table, remark);
+  element.append(bar, box, ...(pose ? [pose.node] : []), lines.node, remark);
   const release = orbit(box, picture, redraw, () => look(preset));
   const silence = joints.listen(() => {
     if (mover.request && !mover.writing) mover.stop();   // a hand on a slider takes over

@@ -3,6 +3,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any
 
@@ -12,14 +13,9 @@ import numpy as np
 import traitlets
 
 from . import checks, draw
-from .arm import REVOLUTE, Arm, Link
-from .kinematics import forward_kinematics, joint_values
-from .scene import LAYERS, PRESETS, arm_scene, is_planar, joint_range, subscript
+from .scene import Scene
 
 _HERE = Path(__file__).parent
-_LAYERS = (("frames", "Frames", "Frames of the links"), ("labels", "Labels", "Names of the axes"),
-           ("axes", "Joint axes", "Axes of the joints"), ("trace", "Trace", "Path of the tool"),
-           ("ghost", "Ghost", "The arm at home, for comparison"))
 
 
 class Canvas(anywidget.AnyWidget):
@@ -31,196 +27,156 @@ class Canvas(anywidget.AnyWidget):
     scene = traitlets.Dict().tag(sync=True)
     sliders = traitlets.List().tag(sync=True, **ipywidgets.widget_serialization)
     note = traitlets.Unicode().tag(sync=True)
-    hold = traitlets.Bool(False).tag(sync=True)  # True while several joints are being set
+    hold = traitlets.Bool(False).tag(sync=True)  # True while several knobs are being set
 
 
-class ArmView(ipywidgets.Box):
-    """A live arm: a slider per joint, and the picture, frames and numbers that answer.
+@dataclass(frozen=True)
+class Knob:
+    """What one slider drives.
+
+    `low`, `high` and `home` are in the scene's units (rad or length). The slider shows them
+    divided by `scale`, in `unit`, and an arrow key moves it by `step` of those.
+    """
+
+    name: str
+    label: str
+    low: float
+    high: float
+    home: float = 0.0
+    unit: str = ""
+    scale: float = 1.0
+    step: float = 1.0
+    title: str = ""
+
+    @classmethod
+    def angle(cls, name: str, label: str, low: float = -math.pi, high: float = math.pi,
+              home: float = 0.0, title: str = "") -> Knob:
+        """A knob in degrees for an angle in radians."""
+        return cls(name, label, low, high, home, "°", math.radians(1), 1.0, title)
+
+    @classmethod
+    def length(cls, name: str, label: str, low: float, high: float, home: float = 0.0,
+               unit: str = "", title: str = "") -> Knob:
+        """A knob for a length; an arrow key moves it by about a fiftieth of its way."""
+        step = 10.0 ** math.floor(math.log10((high - low) / 20))
+        return cls(name, label, low, high, home, unit, 1.0, step, title)
+
+    def slider(self) -> ipywidgets.FloatSlider:
+        """An ordinary slider; live.js makes its steps (see Joint there)."""
+        low, high = (round(end / self.scale, 9) for end in (self.low, self.high))
+        decimals = max(1 if self.unit == "°" else 0, math.ceil(1 - math.log10(high - low)))
+        unit = f" ({self.unit})" if self.unit else ""
+        return ipywidgets.FloatSlider(
+            value=min(max(self.home / self.scale, low), high), min=low, max=high, step=None,
+            readout_format=f".{decimals}f", description=self.label + unit,
+            tooltip=self.title or self.label)
+
+    @property
+    def suffix(self) -> str:
+        """The unit as it follows a number: '°' at once, others after a space."""
+        return self.unit if self.unit in ("", "°") else f" {self.unit}"
+
+
+class LiveView(ipywidgets.Box):
+    """A scene, the sliders of its knobs, and the numbers that follow them.
 
     Parameters
     ----------
-    arm : Arm
-    q : array, shape (n,), optional
-        Joint values to begin with (rad or length); the arm's home if left out.
-    closed_form : bool
-        Typeset the matrix in closed form under the picture.
-    show : sequence of {"frames", "labels", "axes", "trace", "ghost"}
-        What is switched on to begin with.
-    preset : {"3-D", "top", "front", "side"}, optional
-        Where the picture is seen from; planar arms are seen from the top.
-    poses : array, shape (m, n), optional
-        Poses that Play moves between; by default each joint is shown in turn.
-
-    Attributes
-    ----------
-    q : array, shape (n,)
-        Joint values (rad or length). Setting it moves the arm; values beyond a limit stop there,
-        and the view says so.
-    T : array, shape (4, 4)
-        Pose of the tool, `forward_kinematics(arm, q)`.
-    joints : list of ipywidgets.FloatSlider
-        One per joint, in degrees or the arm's unit.
-
-    Raises
-    ------
-    ValueError
-        If an argument does not fit the arm.
+    scene : Scene
+    knobs : sequence of Knob
+        One per value in the scene's `q`.
+    name : str
+        What the picture shows.
+    panels : dict
+        Further data for live.js: switches, table, poses.
+    below : sequence of widgets
+        Shown under the picture.
+    preset : str
+        Where the picture is seen from, one of the scene's.
+    show : sequence of str
+        Layers that are on to begin with.
 
     Examples
     --------
-    >>> from kinlab import robots
-    >>> view = ArmView(robots.two_link(), q=[0, 0])
-    >>> view.joints[1].value = 90
-    >>> view
-    ArmView('Two-link', q=[0, 90] deg, p=[1, 1, 0] m)
+    A view is indexed by the names of its knobs: ``view["theta"].value = 30``.
     """
 
-    def __init__(self, arm: Arm, q: Any = None, *, closed_form: bool = False,
-                 show: Sequence[str] = ("frames", "labels"), preset: str | None = None,
-                 poses: Any = None) -> None:
-        start = _one_pose(arm, arm.home if isinstance(arm, Arm) and q is None else q)
-        preset = preset or ("top" if is_planar(arm) else "3-D")
-        checks.choice("preset", preset, tuple(PRESETS))
-        poses = None if poses is None else _poses(arm, poses)
-        self.arm, self._preset, self._show = arm, preset, _layers(show)
-        self._scene = arm_scene(arm)
-        self._ranges = np.array([joint_range(arm, i) for i in range(arm.n)])
-        self._scales = np.array([math.radians(1) if link.kind == REVOLUTE else 1.0
-                                 for link in arm.links])
-        self.joints = [self._slider(i) for i in range(arm.n)]
-        still = draw.figure(self._scene, arm.home, preset, LAYERS)
-        self._canvas = Canvas(svg=draw.svg(still), scene=self._data(poses), sliders=self.joints)
-        panel = ipywidgets.VBox(self.joints)
+    def __init__(self, scene: Scene, knobs: Sequence[Knob], *, name: str = "",
+                 panels: dict | None = None, below: Sequence[ipywidgets.Widget] = (),
+                 preset: str | None = None, show: Sequence[str] = ()) -> None:
+        self._scene, self._knobs, self._name = scene, tuple(knobs), name
+        self._preset, self._show = preset or next(iter(scene.presets)), tuple(show)
+        self._scales = np.array([knob.scale for knob in knobs])
+        self.sliders = [knob.slider() for knob in knobs]
+        every = {item.layer for item in scene.items}
+        still = draw.figure(scene, self._values, self._preset, tuple(every))
+        self._canvas = Canvas(svg=draw.svg(still), scene=self._data() | (panels or {}),
+                              sliders=self.sliders)
+        panel = ipywidgets.VBox(self.sliders)
         panel.add_class("kl-joints")
-        super().__init__([self._canvas, panel, *([self._formula()] if closed_form else [])])
+        super().__init__([self._canvas, panel, *below])
         self.add_class("kl-view")
-        self.q = start
+
+    def __getitem__(self, name: str) -> ipywidgets.FloatSlider:
+        names = [knob.name for knob in self._knobs]
+        return self.sliders[names.index(checks.choice("name", name, tuple(names)))]
 
     @property
-    def q(self) -> np.ndarray:
-        return np.array([slider.value for slider in self.joints]) * self._scales
+    def readings(self) -> dict[str, tuple[np.ndarray, ...]]:
+        """The vectors of each formula under the picture, by its name."""
+        return self._scene.read(self._values)
 
-    @q.setter
-    def q(self, q: Any) -> None:
-        wanted = _one_pose(self.arm, q)
-        low, high = self._ranges.T
-        allowed = np.clip(wanted, low, high)
+    @property
+    def _values(self) -> np.ndarray:
+        """Values of the knobs in the scene's units."""
+        return np.array([slider.value for slider in self.sliders]) * self._scales
+
+    def _move(self, values: np.ndarray) -> None:
+        """Set all knobs at once; those beyond a limit stop there, and the view says so."""
+        low, high = np.array([(knob.low, knob.high) for knob in self._knobs]).T
+        allowed = np.clip(values, low, high)
         self._canvas.hold = True
-        for slider, value in zip(self.joints, allowed / self._scales):
+        for slider, value in zip(self.sliders, allowed / self._scales):
             slider.value = value
         self._canvas.hold = False
-        stopped = np.flatnonzero(np.abs(allowed - wanted) > 1e-9 * (high - low))
+        stopped = np.abs(allowed - values) > 1e-9 * (high - low)
         self._canvas.note = "; ".join(
-            f"{self.joints[i].description.split()[0]} stops at its limit, "
-            f"{self.joints[i].value:.6g}{_unit_text(self.arm.links[i], self.arm)}"
-            for i in stopped)
-
-    @property
-    def T(self) -> np.ndarray:
-        return forward_kinematics(self.arm, self.q)
+            f"{knob.label} stops at its limit, {slider.value:.6g}{knob.suffix}"
+            for knob, slider, beyond in zip(self._knobs, self.sliders, stopped) if beyond)
 
     def __repr__(self) -> str:
-        name = f"{self.arm.name!r}, " if self.arm.name else ""
-        position = _numbers(self.T[:3, 3])
-        return f"ArmView({name}q={self._q_text()}, p=[{position}] {self.arm.unit})"
+        values = [f"{knob.name}={numbers([slider.value])}{knob.suffix}"
+                  for knob, slider in zip(self._knobs, self.sliders)]
+        formulas = [reading.text.format(*(f"({numbers(v)})" for v in self.readings[reading.name]))
+                    for reading in self._scene.readings]
+        return "\n".join([f"{type(self).__name__}({', '.join([repr(self._name), *values])})",
+                          *formulas])
 
     def _repr_mimebundle_(self, **kwargs: Any) -> tuple[dict, dict] | dict:
         """The widget, and for places where none runs a still picture and a text."""
         bundle = super()._repr_mimebundle_(**kwargs)
         if bundle is None:
             return {}
-        still = draw.figure(self._scene, self.q, self._preset, self._show)
+        still = draw.figure(self._scene, self._values, self._preset, self._show)
         bundle |= {"text/plain": repr(self), "image/png": draw.png(still)}
         return bundle, {"image/png": {"alt": f"Picture of the arm. {self!r}"}}
 
-    def _slider(self, i: int) -> ipywidgets.FloatSlider:
-        link, scale = self.arm.links[i], self._scales[i]
-        low, high = np.round(self._ranges[i] / scale, 9).tolist()  # 120, not 119.99999999999999
-        revolute = link.kind == REVOLUTE
-        unit, symbol = ("°", "θ") if revolute else (self.arm.unit, "d")
-        decimals = 1 if revolute else max(0, 1 - math.floor(math.log10(high - low)))
-        return ipywidgets.FloatSlider(
-            value=min(max(0.0, low), high), min=low, max=high, step=None,
-            readout_format=f".{decimals}f", description=f"{symbol}{subscript(str(i + 1))} ({unit})",
-            tooltip=link.name or f"joint {i + 1}")
-
-    def _step(self, i: int) -> float:
-        """How far an arrow key moves a joint: one degree, or about a fiftieth of its way."""
-        low, high = self._ranges[i]
-        revolute = self.arm.links[i].kind == REVOLUTE
-        return 1.0 if revolute else 10.0 ** math.floor(math.log10((high - low) / 20))
-
-    def _data(self, poses: np.ndarray | None) -> dict:
-        """The scene with what the panels need: joints, poses, table and switches."""
-        arm, low_high = self.arm, self._ranges
-        tool = "E" if not np.array_equal(arm.tool, np.eye(4)) else str(arm.n)
-        digits = min(3, max(1, 3 - math.floor(math.log10(self._scene.radius))))
+    def _data(self) -> dict:
+        knobs = self._knobs
+        home = [min(max(knob.home, knob.low), knob.high) for knob in knobs]
         return self._scene.data() | {
-            "name": arm.name or "Arm",
-            "preset": self._preset,
-            "joints": [{"label": slider.description.split()[0], "unit": _unit_text(link, arm),
-                        "scale": scale, "step": self._step(i), "low": low, "high": high}
-                       for i, (slider, link, scale, (low, high))
-                       in enumerate(zip(self.joints, arm.links, self._scales, low_high))],
-            "layers": [{"layer": layer, "label": label, "title": title, "on": layer in self._show}
-                       for layer, label, title in _LAYERS],
-            "pose": {"title": f"T₀{subscript(tool)}, the pose of the tool",
-                     "decimals": digits, "unit": arm.unit},
-            "home": np.clip(arm.home, *low_high.T).tolist(),
-            "zero": np.clip(0.0, *low_high.T).tolist(),
-            "poses": (self._tour() if poses is None else poses).tolist(),
+            "name": self._name, "preset": self._preset, "layers": [], "pose": None,
+            "joints": [asdict(knob) | {"suffix": knob.suffix} for knob in knobs],
+            "decimals": decimals(self._scene.radius), "home": home, "poses": [],
+            "zero": [min(max(0.0, knob.low), knob.high) for knob in knobs],
         }
 
-    def _tour(self) -> np.ndarray:
-        """Home, then each joint out and back, towards its farther limit."""
-        (low, high), home = self._ranges.T, np.clip(self.arm.home, *self._ranges.T)
-        away = np.minimum(np.maximum(high - home, home - low), 0.3 * (high - low))
-        away *= np.where(high - home >= home - low, 1, -1)
-        return np.concatenate([[home, home + out] for out in np.diag(away)])
 
-    def _formula(self) -> ipywidgets.HTMLMath:
-        from .symbolic import closed_form
-
-        formula = ipywidgets.HTMLMath(f"$\\displaystyle {closed_form(self.arm).latex}$")
-        formula.add_class("kl-math")
-        return formula
-
-    def _q_text(self) -> str:
-        values = [slider.value for slider in self.joints]
-        units = ["deg" if link.kind == REVOLUTE else self.arm.unit for link in self.arm.links]
-        if set(units) == {"deg"}:
-            return f"[{_numbers(values)}] deg"
-        return "[" + ", ".join(f"{_numbers([v])} {unit}" for v, unit in zip(values, units)) + "]"
+def decimals(size: float) -> int:
+    """Decimals that tell a thousandth of a picture's size: 1 for millimetres, 3 for metres."""
+    return min(3, max(1, 3 - math.floor(math.log10(size))))
 
 
-def _one_pose(arm: Arm, q: Any) -> np.ndarray:
-    q = joint_values(arm, q)
-    if q.ndim != 1:
-        raise ValueError(f"q: expected one pose, shape ({arm.n},), got {q.shape}; "
-                         "a view shows one pose at a time")
-    return q
-
-
-def _layers(show: Any) -> tuple[str, ...]:
-    try:
-        layers = (show,) if isinstance(show, str) else tuple(show)
-    except TypeError:
-        layers = (show,)
-    return tuple(checks.choice("show", layer, LAYERS) for layer in layers)
-
-
-def _poses(arm: Arm, poses: Any) -> np.ndarray:
-    poses = joint_values(arm, poses, "poses")
-    if poses.ndim != 2 or not len(poses):
-        raise ValueError(f"poses: expected shape (m, {arm.n}) with m > 0, got {poses.shape}; "
-                         "give a list of joint vectors")
-    low, high = np.array([joint_range(arm, i) for i in range(arm.n)]).T
-    return np.clip(poses, low, high)
-
-
-def _unit_text(link: Link, arm: Arm) -> str:
-    return "°" if link.kind == REVOLUTE else f" {arm.unit}"
-
-
-def _numbers(values: Sequence[float]) -> str:
+def numbers(values: Sequence[float]) -> str:
+    """Values as text, rounded to four decimals."""
     return ", ".join(f"{round(float(value), 4) + 0.0:.8g}" for value in values)

@@ -14,19 +14,20 @@ from strategies import arms_and_q
 
 import kinlab as kl
 from kinlab import draw
-from kinlab.scene import LAYERS, PRESETS, arm_scene
+from kinlab.arm_scene import LAYERS, arm_scene
+from kinlab.scene import SPATIAL
 
 close = np.testing.assert_allclose
 few = settings(max_examples=15)
 COURSE = [kl.robots.two_link, kl.robots.practical_six_link, kl.robots.cylindrical,
           kl.robots.exam_2018, kl.robots.alpha_ii, kl.robots.intelledex_660t]
 course = pytest.mark.parametrize("robot", COURSE, ids=lambda robot: robot.__name__)
-presets = pytest.mark.parametrize("preset", PRESETS)
+presets = pytest.mark.parametrize("preset", SPATIAL)
 SVG = "{http://www.w3.org/2000/svg}"
 DIGEST = """if True:
     import hashlib, kinlab as kl
     from kinlab import draw
-    from kinlab.scene import arm_scene
+    from kinlab.arm_scene import arm_scene
     arm = kl.robots.exam_2018()
     print(hashlib.sha256(draw.svg(draw.figure(arm_scene(arm), arm.home)).encode()).hexdigest())
 """
@@ -98,12 +99,12 @@ def test_the_svg_is_the_same_from_run_to_run():
 
 
 @few
-@given(arms_and_q(most=4), st.sampled_from(list(PRESETS)))
+@given(arms_and_q(most=4), st.sampled_from(list(SPATIAL)))
 def test_points_stand_where_a_camera_sees_them(arm_and_q, preset):
     arm, q = arm_and_q
     scene, text = drawn(arm, q, preset)
     places, drawn_at = in_the_room(scene, q), dict(groups(text))
-    _, right, up = rows(*PRESETS[preset])
+    _, right, up = rows(*SPATIAL[preset])
     width, height = scene.size
     for item in scene.items:
         away = places[item.gid] - np.array(scene.center)
@@ -120,11 +121,11 @@ def test_points_stand_where_a_camera_sees_them(arm_and_q, preset):
 
 
 @few
-@given(arms_and_q(most=4), st.sampled_from(list(PRESETS)))
+@given(arms_and_q(most=4), st.sampled_from(list(SPATIAL)))
 def test_nearer_bodies_are_painted_later(arm_and_q, preset):
     arm, q = arm_and_q
     scene, text = drawn(arm, q, preset)
-    places, viewer = in_the_room(scene, q), rows(*PRESETS[preset])[0]
+    places, viewer = in_the_room(scene, q), rows(*SPATIAL[preset])[0]
     order = {name: k for k, (name, _) in enumerate(groups(text))}
     nearness = {}
     for item in scene.items:
@@ -146,7 +147,7 @@ def test_nearer_bodies_are_painted_later(arm_and_q, preset):
 def test_faces_turned_away_are_not_painted_but_keep_their_paint(robot, preset):
     arm = robot()
     scene, text = drawn(arm, preset=preset)
-    places, viewer = in_the_room(scene, arm.home), rows(*PRESETS[preset])[0]
+    places, viewer = in_the_room(scene, arm.home), rows(*SPATIAL[preset])[0]
     nodes, seen = dict(groups(text)), []
     for item in scene.items:
         if item.shape == "face":
@@ -161,11 +162,11 @@ def test_faces_turned_away_are_not_painted_but_keep_their_paint(robot, preset):
 
 
 @few
-@given(arms_and_q(most=3), st.sampled_from(list(PRESETS)))
+@given(arms_and_q(most=3), st.sampled_from(list(SPATIAL)))
 def test_a_solid_is_the_hull_of_its_points(arm_and_q, preset):
     arm, q = arm_and_q
     scene = arm_scene(arm)
-    frames, view = scene.frames(q), draw.camera(*PRESETS[preset])
+    frames, view = scene.frames(q), draw.camera(*SPATIAL[preset])
     for item in scene.items:
         if item.shape == "solid":
             points = draw.project(scene, frames, view, item)
@@ -189,7 +190,7 @@ def test_an_arrow_has_a_head_that_shrinks_with_it(tip, head):
 
 
 def test_the_camera_is_a_right_handed_frame():
-    for preset in PRESETS.values():
+    for preset in SPATIAL.values():
         R = draw.camera(*preset)
         close(R @ R.T, np.eye(3), atol=1e-12)
         close(np.cross(R[0], R[1]), R[2], atol=1e-12)

@@ -9,17 +9,9 @@ from hypothesis import strategies as st
 from strategies import arms, arms_and_q
 
 import kinlab as kl
+from kinlab.arm_scene import LAYERS, arm_scene, is_planar, joint_range
 from kinlab.kinematics import axis_frames
-from kinlab.scene import (
-    LAYERS,
-    PRESETS,
-    TEXT,
-    Scene,
-    arm_scene,
-    is_planar,
-    joint_range,
-    subscript,
-)
+from kinlab.scene import SPATIAL, TEXT, Scene, subscript
 
 close = np.testing.assert_allclose
 COURSE = [kl.robots.two_link, kl.robots.practical_six_link, kl.robots.cylindrical,
@@ -28,7 +20,7 @@ course = pytest.mark.parametrize("robot", COURSE, ids=lambda robot: robot.__name
 few = settings(max_examples=25)
 fractions = st.floats(0, 1, allow_subnormal=False) | st.sampled_from([0.0, 0.5, 1.0])
 spreads = st.lists(fractions, min_size=7, max_size=7)
-directions = st.sampled_from(list(PRESETS.values())) | st.tuples(st.floats(-180, 180),
+directions = st.sampled_from(list(SPATIAL.values())) | st.tuples(st.floats(-180, 180),
                                                                  st.floats(-90, 90))
 
 
@@ -71,7 +63,7 @@ def test_nothing_is_clipped_at_any_pose_from_any_side(robot):
         places = in_the_room(scene, pose_within(arm, spread))
         points = np.vstack(list(places.values()))
         names = np.vstack([places[item.gid] for item in scene.items if item.shape == TEXT])
-        for direction in [*PRESETS.values(), (rng.uniform(-180, 180), rng.uniform(-90, 90))]:
+        for direction in [*SPATIAL.values(), (rng.uniform(-180, 180), rng.uniform(-90, 90))]:
             assert margin(scene, on_the_picture(scene, points, direction)) > 4
             assert margin(scene, on_the_picture(scene, names, direction)) > 9  # half a name
 
@@ -297,7 +289,7 @@ def test_data_is_plain_and_complete(arm_and_q):
     close(data["center"], scene.center)
     assert (data["scale"], data["tip"], data["size"]) == (scene.scale, scene.tip,
                                                           list(scene.size))
-    assert data["presets"] == {name: list(angles) for name, angles in PRESETS.items()}
+    assert data["presets"] == {name: list(angles) for name, angles in SPATIAL.items()}
 
 
 def test_scenes_of_equal_arms_are_equal():
@@ -305,9 +297,9 @@ def test_scenes_of_equal_arms_are_equal():
 
 
 def test_presets_look_along_the_axes():
-    close(rows(PRESETS["top"]), [[1, 0, 0], [0, 1, 0]], atol=1e-12)
-    close(rows(PRESETS["front"]), [[1, 0, 0], [0, 0, 1]], atol=1e-12)
-    close(rows(PRESETS["side"]), [[0, 1, 0], [0, 0, 1]], atol=1e-12)
+    close(rows(SPATIAL["top"]), [[1, 0, 0], [0, 1, 0]], atol=1e-12)
+    close(rows(SPATIAL["front"]), [[1, 0, 0], [0, 0, 1]], atol=1e-12)
+    close(rows(SPATIAL["side"]), [[0, 1, 0], [0, 0, 1]], atol=1e-12)
 
 
 def planar(*twists, base=None, kind=kl.revolute):
