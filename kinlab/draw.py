@@ -28,6 +28,9 @@ STYLES = {
     "gripper": dict(edgecolor=INK, linewidth=3.2, joinstyle="miter"),
     "tool": dict(edgecolor="#CC79A7", linewidth=6),
     "axis": dict(edgecolor=INK, linewidth=1, linestyle=(0, (6, 3, 1.5, 3))),
+    "dashed": dict(edgecolor=STEEL, linewidth=1.4, linestyle=(0, (4, 3))),
+    "arc": dict(edgecolor=INK, linewidth=1.4),
+    "vector": dict(edgecolor=INK, facecolor=INK, linewidth=2, joinstyle="round"),
     "trace": dict(edgecolor="#CC79A7", linewidth=1.6, joinstyle="round"),
 } | {axis: dict(edgecolor=colour, facecolor=colour, linewidth=1.8, joinstyle="round")
      for axis, colour in AXIS_COLOURS.items()}
@@ -111,8 +114,9 @@ def _far_to_near(placed: list) -> list:
 
 def _add(ax, item: Item, points: np.ndarray):
     if item.shape == TEXT:
-        return ax.text(*points[0, :2], item.text, color=AXIS_COLOURS[item.style], fontsize=11,
-                       ha="center", va="center", family="sans-serif")
+        colour = AXIS_COLOURS.get(item.style, INK)
+        return ax.text(*points[0, :2], item.text, color=colour, fontsize=11, ha="center",
+                       va="center", family="sans-serif")
     corners, closed = outline(item.shape, points), item.shape in (FACE, SOLID, ARROW)
     # A face turned away is an empty path that keeps its paint, for when it turns to the viewer.
     corners = np.empty((0, 2)) if corners is None else corners
