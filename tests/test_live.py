@@ -228,7 +228,7 @@ def test_bad_input_makes_one_clear_sentence_and_no_widget(make, message):
                                [0, 0.2, 0.3]])
 def test_wrong_joint_values_leave_the_arm_where_it_is(q):
     view = kl.ArmView(slide(), q=[0.5, 0.4])
-    with pytest.raises(ValueError, match="^q: expected"):
+    with pytest.raises(ValueError, match=r"^q: expected"):
         view.q = q
     close(view.q, [0.5, 0.4])
     assert note(view) == "" and not canvas(view).hold

@@ -1,0 +1,118 @@
+"""One JupyterLab and one Chromium for all browser tests, and a notebook for each scenario."""
+import os
+import shutil
+
+import nbformat
+import pytest
+from lab import open_browser, open_notebook, run_all, shut_down_kernels, start_lab
+from playwright.sync_api import Error
+
+KERNEL = {"name": "python3", "display_name": "Python 3", "language": "python"}
+# JupyterLab's own, when a notebook is closed before its debugger has answered.
+HARMLESS = "Could not restore the debugger state"
+READY = """path => {
+    const front = window.jupyterapp?.shell.currentWidget;
+    return front?.context?.path === path && front.sessionContext.session?.kernel?.status === 'idle';
+}"""
+
+
+@pytest.fixture(scope="package")
+def browser():
+    """Chromium; where there is none, the tests skip unless KINLAB_REQUIRE_BROWSER is 1."""
+    opened = open_browser()
+    try:
+        chromium = opened.__enter__()
+    except Error as error:
+        if os.environ.get("KINLAB_REQUIRE_BROWSER") == "1":
+            pytest.fail(f"KINLAB_REQUIRE_BROWSER=1 but no Chromium starts: {error.message}")
+        pytest.skip("no Chromium here: install the system's, or run `playwright install chromium`")
+    yield chromium
+    opened.__exit__(None, None, None)
+
+
+@pytest.fixture(scope="package")
+def root(tmp_path_factory):
+    """The folder that JupyterLab shows."""
+    return tmp_path_factory.mktemp("lab")
+
+
+@pytest.fixture(scope="package")
+def lab_page(browser, root):
+    """JupyterLab, opened once; each scenario opens its notebook in it."""
+    with start_lab(root) as server:
+        page = browser.new_page(viewport={"width": 1280, "height": 900})
+        write(root / "first.ipynb", ["1 + 1"])
+        open_notebook(page, server, "first.ipynb")
+        page.evaluate("jupyterapp.commands.execute('application:toggle-left-area')")
+        yield page
+        page.close()
+
+
+@pytest.fixture
+def watched():
+    """A function that makes the test fail if a page reports an error."""
+    troubles, undo = [], []
+
+    def watch(page):
+        for event, hear in {"console": lambda m: m.type == "error" and troubles.append(m.text),
+                            "pageerror": lambda error: troubles.append(str(error))}.items():
+            page.on(event, hear)
+            undo.append(lambda event=event, hear=hear: page.remove_listener(event, hear))
+        return page
+
+    yield watch
+    for stop in undo:
+        stop()
+    assert [text for text in troubles if not text.startswith(HARMLESS)] == []
+
+
+@pytest.fixture
+def page(browser, watched):
+    """A blank page, without Jupyter."""
+    page = watched(browser.new_page())
+    yield page
+    page.close()
+
+
+@pytest.fixture
+def notebook(lab_page, root, watched):
+    """A function that opens code cells, or a notebook's file, in JupyterLab and runs them."""
+    page = watched(lab_page)
+
+    def open_cells(*cells, run=True):
+        path = root / f"scenario_{len(list(root.glob('*.ipynb')))}.ipynb"
+        write(path, cells)
+        open_in(page, path.name)
+        if run:
+            run_all(page)
+        return page
+
+    yield open_cells
+    page.evaluate("jupyterapp.shell.currentWidget.dispose()")
+    shut_down_kernels(page)
+
+
+def write(path, cells):
+    if hasattr(cells[0], "read_text"):
+        shutil.copy(cells[0], path)
+        return
+    code = [nbformat.v4.new_code_cell(cell) for cell in cells]
+    nbformat.write(nbformat.v4.new_notebook(cells=code, metadata={"kernelspec": KERNEL}), path)
+
+
+def open_in(page, path):
+    page.evaluate("path => { jupyterapp.commands.execute('docmanager:open', {path}); }", path)
+    page.wait_for_function(READY, arg=path, timeout=60_000)
+
+
+@pytest.fixture
+def live(notebook):
+    """A function that shows views and returns their elements, once they are alive."""
+    def show(*cells, views=1):
+        page = notebook(*cells)
+        found = page.locator(".jp-Notebook:visible .kl-view")
+        found.nth(views - 1).locator(".kl-picture svg").wait_for()
+        found.nth(views - 1).locator(".widget-readout").last.wait_for()
+        return [found.nth(k) for k in range(views)]
+
+    return show
