@@ -112,7 +112,7 @@ def test_the_text_of_an_arm():
 
 def test_the_html_of_an_arm():
     html = kl.robots.cylindrical()._repr_html_()
-    assert html.startswith("<table><caption>Cylindrical: standard DH, lengths in m")
+    assert ">Cylindrical: standard DH, lengths in m, * marks" in html
     assert "<th>θ</th>" in html and "<td>d2*</td>" in html
     assert html.count("<tr>") == html.count("</tr>") == 4
 
