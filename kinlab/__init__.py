@@ -17,7 +17,7 @@ _NAMES = {
     "arm_view": ("ArmView",),
 }
 _HOME = {name: module for module, names in _NAMES.items() for name in names}
-_MODULES = ("exercises", "robots")
+_MODULES = ("exercises", "lessons", "robots")
 __all__ = [*_HOME, *_MODULES]
 __version__ = "0.1.0"
 

@@ -1,14 +1,15 @@
 """Checks for students' answers: they never raise, and they name the slip.
 
-`judging` makes judges from references and slips; `lesson_checks` holds those of each lesson.
+`judging` makes judges from references and slips; `lessons` holds those of each lesson.
 """
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from html import escape
 from typing import Any
 
-from . import checks
+from . import checks, lessons
 from .judging import Blank, Wrong
 
 CORRECT, NOT_YET, BLANK = "Correct", "Not yet", "Not attempted yet"
@@ -73,9 +74,7 @@ def check(name: str, answer: Any) -> Verdict:
     >>> check("alpha_ii.4", [0, 0, 0, 0, 0]).ok
     False
     """
-    from .lesson_checks import JUDGES  # late: a lesson's references load the arms
-
-    judge = JUDGES[checks.choice("name", name, tuple(JUDGES))]
+    judge = _judge(name)
     try:
         return Verdict(CORRECT, judge(answer))
     except Blank as blank:
@@ -85,3 +84,10 @@ def check(name: str, answer: Any) -> Verdict:
     except (Exception, SystemExit) as error:  # the answer's own methods may raise anything
         return Verdict(NOT_YET, "Your answer could not be read: it raised "
                                 f"{type(error).__name__}. Hand over what the exercise asks for.")
+
+
+def _judge(name: Any) -> Callable[[Any], str]:
+    lesson = checks.choice("name", name.partition(".")[0] if isinstance(name, str) else name,
+                           lessons.names())
+    known = lessons.judges(lesson)
+    return known[checks.choice("name", name, tuple(known))]

@@ -27,8 +27,8 @@ MATHEMATICS = {
     "robots": {"numpy", "arm"},
     "__init__": set(),
 }
-DRAWING = ("scene", "draw")
-VIEWS = ("live",)
+DRAWING = ("scene", "arm_scene", "draw")
+VIEWS = ("live", "arm_view", "sketch")
 WIDGETS = {"ipywidgets", "anywidget", "traitlets", "IPython"}
 
 

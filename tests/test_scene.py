@@ -266,7 +266,7 @@ def test_items_are_named_once_and_bodies_stay_together(arm):
 def replayed(motions, q):
     """Frames from the plain data alone: matrices multiplied one after the other."""
     T = [np.eye(4)]
-    for slides, axis, amount, joint in motions:
+    for slides, axis, amount, joint, *_ in motions:
         value = amount + (q[joint] if joint >= 0 else 0)
         along = np.eye(3)[axis]
         step = textbook.rigid(o=value * along) if slides else textbook.rigid(

@@ -8,6 +8,8 @@ from lab import open_browser, open_notebook, run_all, shut_down_kernels, start_l
 from playwright.sync_api import Error
 
 KERNEL = {"name": "python3", "display_name": "Python 3", "language": "python"}
+# JupyterLab's own, when a notebook is closed before its debugger has answered.
+HARMLESS = "Could not restore the debugger state"
 READY = """path => {
     const front = window.jupyterapp?.shell.currentWidget;
     return front?.context?.path === path && front.sessionContext.session?.kernel?.status === 'idle';
@@ -61,7 +63,7 @@ def watched():
     yield watch
     for stop in undo:
         stop()
-    assert troubles == []
+    assert [text for text in troubles if not text.startswith(HARMLESS)] == []
 
 
 @pytest.fixture

@@ -1,6 +1,4 @@
 """Each of the course's arms in a real JupyterLab: what is drawn is what kinematics says."""
-import json
-
 import numpy as np
 import pytest
 from lab import run_code
@@ -9,7 +7,6 @@ from reading import (
     assert_table,
     from_units,
     in_units,
-    kernel_q,
     read,
     scene_of,
     settle,
@@ -20,7 +17,7 @@ import kinlab as kl
 
 COURSE = [kl.robots.two_link, kl.robots.practical_six_link, kl.robots.cylindrical,
           kl.robots.exam_2018, kl.robots.alpha_ii, kl.robots.intelledex_660t]
-WATCH = """([view, k]) => {
+WATCH = """(view, k) => {
     const handle = view.querySelectorAll('.widget-readout')[k], values = new Set();
     const tool = view.querySelector('#tool path'), pictures = new Set();
     new MutationObserver(() => values.add(handle.textContent)).observe(
@@ -66,7 +63,6 @@ def test_sliders_move_the_arm_as_kinematics_says(live, robot):
     np.testing.assert_allclose(moved[:-1], values[:-1], atol=1e-9)
     q = wait_for_kernel(page, robot, moved)
     np.testing.assert_allclose(in_units(robot, q), moved, atol=1e-9)
-    print(json.dumps(kernel_q(page).tolist()))
 
 
 def drag(page, view, k, distance, steps=8):
@@ -84,7 +80,7 @@ def drag(page, view, k, distance, steps=8):
 def test_every_step_of_a_drag_is_drawn(live):
     (view,) = live("import kinlab as kl\nview = kl.ArmView(kl.robots.alpha_ii())\nview")
     page = view.page
-    view.evaluate("(view, code) => eval(code)([view, 1])", WATCH)
+    view.evaluate(WATCH, 1)
     drag(page, view, 1, -60, steps=30)
     values, pictures = page.evaluate("window.watched()")
     assert len(values) >= 20 and len(pictures) == len(values)

@@ -1,4 +1,4 @@
-"""What each lesson's exercises ask for: references, typical slips, and the words for them."""
+"""Lesson 07, the Alpha II: its exercises' references, typical slips, and the words for them."""
 from __future__ import annotations
 
 from collections.abc import Callable
@@ -8,11 +8,11 @@ from typing import Any
 
 import numpy as np
 
-from . import kinematics, robots
-from .arm import Arm, revolute
-from .judging import choices, expressions, function, joint_values
+from .. import kinematics, robots
+from ..arm import Arm, revolute
+from ..judging import choices, expressions, function, joint_values
 
-# ---- 07 Alpha II, exercise 1: the link transform -------------------------------------------------
+# ---- Exercise 1: the link transform -------------------------------------------------
 
 
 def _link(convention: str, theta: float, d: float, a: float, alpha: float) -> np.ndarray:
@@ -61,7 +61,7 @@ _LINK_SLIPS = [
     ("The slide a along x is left out.", lambda t, d, a, al: _A(t, d, 0, al)),
 ]
 
-# ---- 07 Alpha II, exercise 2: the tip when the tool points straight down -------------------------
+# ---- Exercise 2: the tip when the tool points straight down -------------------------
 
 _ALPHA_II = robots.alpha_ii()
 _L1, _L2, _L3, _, _L5 = _ALPHA_II.links
@@ -109,7 +109,7 @@ _TIP_SLIPS = [
     ("Lengths are in millimetres.", lambda q1, q2, q3: _tip_below(q1, q2, q3) / 1000),
 ]
 
-# ---- 07 Alpha II, exercise 3: which joints change what -------------------------------------------
+# ---- Exercise 3: which joints change what -------------------------------------------
 
 _CHANGES = {"p_z": {2, 3, 4}, "a": {1, 2, 3, 4}, "n": {1, 2, 3, 4, 5}}
 
@@ -127,7 +127,7 @@ _JOINT_HINTS = {
     ("n", 5): "Joint 5 rolls the tool: what does the normal vector do then?",
 }
 
-# ---- 07 Alpha II, exercise 4: touch the table, tool straight down --------------------------------
+# ---- Exercise 4: touch the table, tool straight down --------------------------------
 
 
 def _one_pose(answer: Any) -> np.ndarray:

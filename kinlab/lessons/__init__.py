@@ -1,0 +1,27 @@
+"""What each lesson needs of its own: its views and the judges of its exercises, a module each.
+
+A module has a dictionary JUDGES, from names such as "alpha_ii.1" to judges made by `judging`.
+"""
+from __future__ import annotations
+
+from collections.abc import Callable
+from importlib import import_module
+from pkgutil import iter_modules
+from typing import Any
+
+
+def names() -> tuple[str, ...]:
+    """The lessons that have a module here."""
+    return tuple(module.name for module in iter_modules(__path__))
+
+
+def judges(lesson: str) -> dict[str, Callable[[Any], str]]:
+    """The judges of one lesson's exercises, by name."""
+    return getattr(import_module(f"{__name__}.{lesson}"), "JUDGES", {})
+
+
+def __getattr__(name: str) -> Any:
+    """Load a lesson's module where it is first used."""
+    if name not in names():
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    return import_module(f"{__name__}.{name}")
