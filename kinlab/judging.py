@@ -84,24 +84,49 @@ def expressions(names: Sequence[str], reference: Callable, points: Sequence[Case
     return judge
 
 
-def choices(expected: Mapping[str, set], allowed: set, reasons: Mapping[tuple, str], *,
-            praise: str) -> Judge:
-    """Judge of sets of joint numbers, one set for each question.
+def values(right: Any, *, entry: Callable[[tuple], str], slips: Sequence[tuple[str, Any]] = (),
+           praise: str) -> Judge:
+    """Judge of a vector or a matrix of numbers.
 
     Parameters
     ----------
-    expected : {question: set of joint numbers}
-    allowed : set of joint numbers
-    reasons : {(question, joint number): hint}
-        Said when the joint is missing, or is there and should not be.
+    right : array
+    entry : callable
+        Names an entry by its index.
+    slips : sequence of (message, wrong array)
+    praise : str
+    """
+    named = [(message, lambda wrong=wrong: np.asarray(wrong)) for message, wrong in slips]
+
+    def judge(answer: Any) -> str:
+        _refuse_stub(answer, "Replace the ... by your numbers.")
+        if isinstance(answer, (list, tuple)) and answer and all(map(is_stub, answer)):
+            raise Blank("Replace every ... by a number.")
+        _compare([answer], lambda: right, [{}], entry, named)
+        return praise
+    return judge
+
+
+def choices(expected: Mapping[str, set], allowed: set, reasons: Mapping[tuple, str], *,
+            noun: str = "joint", praise: str) -> Judge:
+    """Judge of sets of numbers, of joints or of other things, one set for each question.
+
+    Parameters
+    ----------
+    expected : {question: set of numbers}
+    allowed : set of numbers
+    reasons : {(question, number): hint}
+        Said when the number is missing, or is there and should not be.
+    noun : str
+        What the numbers stand for.
     praise : str
     """
     def judge(answer: Any) -> str:
         for (name, right), part in zip(expected.items(), _parts(answer, expected, "set")):
-            given = _numbers(name, part, allowed)
+            given = _numbers(name, part, allowed, noun)
             faulty = sorted(given - right) or sorted(right - given)
             if faulty:
-                fault = f"not joint {faulty[0]}" if faulty[0] in given else "one is missing"
+                fault = f"not {noun} {faulty[0]}" if faulty[0] in given else "one is missing"
                 hint = reasons.get((name, faulty[0]), "")
                 raise Wrong(f"{name}: got {_braces(given)}, but {fault}. {hint}".strip())
         return praise
@@ -168,7 +193,7 @@ def _compare(results: Sequence, reference: Callable, cases: Sequence[Case],
         off = np.argwhere(~_close(result, right))
         if len(off):
             index = tuple(off[0])
-            fault = (f"For {_said(case)}: {entry(index)} should be {right[index] + 0.0:.6g}, "
+            fault = (f"{_for(case)}{entry(index)} should be {right[index] + 0.0:.6g}, "
                      f"got {result[index] + 0.0:.6g}.")
             raise Wrong(" ".join([fault, *_first(slips, is_slip)]))
 
@@ -177,9 +202,9 @@ def _array(result: Any, shape: tuple, case: Case) -> np.ndarray:
     try:
         array = checks.real_array("the result", result, f"numbers of shape {shape}")
     except ValueError as error:
-        raise Wrong(f"For {_said(case)}, {error}.") from None
+        raise Wrong(f"{_for(case)}{error}.") from None
     if array.shape != shape:
-        raise Wrong(f"For {_said(case)}: expected a result of shape {shape}, got {array.shape}.")
+        raise Wrong(f"{_for(case)}expected a result of shape {shape}, got {array.shape}.")
     return array
 
 
@@ -227,19 +252,23 @@ def _value(name: str, part: Any, point: Case, constants: Case) -> float:
         raise Wrong(f"{name} is not a real number at {_said(point)}.") from None
 
 
-def _numbers(name: str, part: Any, allowed: set) -> set:
+def _numbers(name: str, part: Any, allowed: set, noun: str) -> set:
     if isinstance(part, (str, bytes)) or not hasattr(part, "__len__"):
-        raise Wrong(f"{name}: expected a set of joint numbers such as {{1, 2}}, "
+        raise Wrong(f"{name}: expected a set of {noun} numbers such as {{1, 2}}, "
                     f"got {checks.brief(part)}.")
     for joint in part:
         if joint not in allowed:
-            raise Wrong(f"{name}: there is no joint {checks.brief(joint)}; the joints are "
+            raise Wrong(f"{name}: there is no {noun} {checks.brief(joint)}; choose from "
                         f"{_braces(allowed)}.")
     return {int(joint) for joint in part}
 
 
 def _braces(numbers: set) -> str:
     return "{" + ", ".join(map(str, sorted(numbers))) + "}"
+
+
+def _for(case: Case) -> str:
+    return f"For {_said(case)}: " if case else ""
 
 
 def _said(case: Case) -> str:

@@ -235,26 +235,27 @@ function number(value, decimals) {
   return Number(text) === 0 ? (0).toFixed(decimals) : text.replace("-", "\u2212");
 }
 
-/** The matrix of the tip's frame: axes and origin as columns, in space or in the plane. */
+/** The matrix of the tip's frame: axes and origin as columns, or only `rows` axes as columns. */
 function poseTable(pose) {
-  const rows = pose.columns.length - 1;             // 3 in space, 2 in the plane
+  const rows = pose.rows ?? pose.columns.length - 1;   // 3 in space, 2 in the plane
+  const whole = pose.columns.length > rows;            // with an origin and a last row
   const sources = [...Array(rows).keys(), 3];       // the frame's axes, then its origin
   const style = (k) => ({ class: k < rows ? `kl-column-${"xyz"[k]}` : "kl-column-o" });
   const head = make("tr", {}, ...pose.columns.map(({ name, title }, k) =>
     make("th", { ...style(k), scope: "col", title },
          k === rows && pose.unit ? `${name} (${pose.unit})` : name)));
-  const cells = [...Array(rows + 1)].map(() => pose.columns.map((_, k) => make("td", style(k))));
+  const cells = pose.columns.map(() => pose.columns.map((_, k) => make("td", style(k))));
   const table = make("table", { class: "kl-pose" }, make("caption", {}, pose.title),
     make("thead", {}, head),
     make("tbody", {}, ...cells.map((row) => make("tr", {}, ...row))));
-  cells[rows].forEach((cell, k) => { cell.textContent = k < rows ? "0" : "1"; });
+  cells[rows]?.forEach((cell, k) => { cell.textContent = k < rows ? "0" : "1"; });
   const update = (frame) => {
     cells.slice(0, rows).forEach((row, i) => row.forEach((cell, k) => {
       cell.textContent = number(frame[sources[k]][i], k < rows ? 3 : pose.decimals);
     }));
   };
   const text = () => cells.slice(0, rows).map((row) => row[rows].textContent).join(", ");
-  return { node: table, update, text: () => `at ${text()} ${pose.unit}` };
+  return { node: table, update, text: () => whole ? `at ${text()} ${pose.unit}` : "" };
 }
 
 /** Formulas under the picture, whose vectors follow the knobs. */

@@ -97,7 +97,9 @@ class Sketch:
         """A dot with its name."""
         (point,) = at(frame, (*place, 0)[:3])
         beside = (point[0], *(np.array(point[1:]) + 0.07 * self.radius * np.array([1, 1, 0])))
-        self._add(f"point-{name}", LINE, style, (point, point), lift=self.radius)
+        # A dot is a line too short to see, with round ends; of one without length Agg draws none.
+        (end,) = at(frame, (point[1] + 1e-4 * self.radius, *point[2:]))
+        self._add(f"point-{name}", LINE, style, (point, end), lift=self.radius)
         self._add(f"name-{name}", TEXT, "ink", (beside,), name, lift=self.radius)
         return point
 
