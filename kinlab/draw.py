@@ -49,7 +49,7 @@ def project(scene: Scene, frames: np.ndarray, view: np.ndarray, item: Item) -> n
     """The item's points on the picture: x right, y down (px), and nearness (length unit)."""
     index = [int(point[0]) for point in item.points]
     local = np.array([(*point[1:], 1.0) for point in item.points])
-    room = np.einsum("kij,kj->ki", frames[index][:, :3], local) - scene.center
+    room = np.einsum("kij,kj->ki", frames[index][:, :3], local) - scene.middle(frames)
     right, up, near = view @ room.T
     (width, height), s = scene.size, scene.scale
     return np.stack([width / 2 + s * right, height / 2 - s * up, near], axis=-1)

@@ -6,10 +6,13 @@
 
 const ROTATE = 0;
 
-/** How far a motion goes: amount + gain q, or with a start, as far as its knob has scrubbed. */
-function travel([, , amount, joint, gain, start], q) {
-  if (joint < 0) return amount;
-  return amount + gain * (start === null ? q[joint] : Math.min(1, Math.max(0, q[joint] - start)));
+const run = (since) => Math.min(1, Math.max(0, since));
+
+/** How far a motion goes: amount + gain q, as far as knobs have scrubbed it. */
+function travel([, , amount, joint, gain, start, , scrub], q) {
+  const share = scrub ? run(q[scrub[0]] - scrub[1]) : 1;
+  if (joint < 0) return share * amount;
+  return share * (amount + gain * (start === null ? q[joint] : run(q[joint] - start)));
 }
 
 /** Every frame along the motions at the knobs' values q: [x, y, z, origin], each a triple. */
@@ -29,6 +32,12 @@ export function frames(motions, q) {
   }
   return all;
 }
+
+const dot = (u, v) => u.reduce((sum, e, k) => sum + e * v[k], 0);
+
+/** A frame as another frame sees it. */
+const seenFrom = ([x, y, z, o], [u, v, w, p]) =>
+  [x, y, z, o.map((e, k) => e - p[k])].map((column) => [u, v, w].map((e) => dot(e, column)));
 
 const inRoom = ([x, y, z, o], [a, b, c]) => o.map((_, k) => o[k] + a * x[k] + b * y[k] + c * z[k]);
 
@@ -115,9 +124,11 @@ class Picture {
   }
 
   draw(q) {
-    const at = frames(this.scene.motions, q), project = projector(this.scene, this.camera);
+    const { motions, focus, tip, center } = this.scene, at = frames(motions, q);
+    const middle = focus === null ? center : at[focus][3];
+    const project = projector({ ...this.scene, center: middle }, this.camera);
     const depths = new Map();
-    this.follow(at.at(-1)[3]);
+    this.follow(at[tip][3]);
     for (const item of this.items) {
       const room = item.shape === "trace" ? this.path
         : item.points.map(([k, ...local]) => inRoom(at[k], local));
@@ -258,8 +269,8 @@ function poseTable(pose) {
   return { node: table, update, text: () => whole ? `at ${text()} ${pose.unit}` : "" };
 }
 
-/** Formulas under the picture, whose vectors follow the knobs. */
-function readingLines({ readings, decimals }) {
+/** Formulas under the picture, whose vectors and amounts follow the knobs. */
+function readingLines({ readings, decimals, motions }) {
   const box = make("div", { class: "kl-readings" }), spans = [];
   for (const { text, vectors } of readings) {
     const [first, ...rest] = text.split("{}"), line = make("div", {}, first);
@@ -269,12 +280,17 @@ function readingLines({ readings, decimals }) {
     });
     box.append(line);
   }
-  const update = (all) => {
-    for (const [span, { tail, head, frame, size }] of spans) {
-      const [from, to] = [tail, head].map(([k, ...local]) => inRoom(all[k], local));
-      const along = (axis) => axis.reduce((sum, e, k) => sum + e * (to[k] - from[k]), 0);
-      const parts = all[frame].slice(0, size).map((axis) => number(along(axis), decimals));
-      span.textContent = `(${parts.join(", ")})`;
+  const vector = ({ tail, head, frame, size }, all) => {
+    const [from, to] = [tail, head].map(([k, ...local]) => inRoom(all[k], local));
+    const arrow = to.map((e, k) => e - from[k]);
+    const parts = all[frame].slice(0, size).map((axis) => number(dot(axis, arrow), decimals));
+    return size > 1 ? `(${parts.join(", ")})` : parts[0];
+  };
+  const amount = (motion, q) => motion[0] === ROTATE
+    ? number(travel(motion, q) * 180 / Math.PI, 1) : number(travel(motion, q), decimals);
+  const update = (all, q) => {
+    for (const [span, part] of spans) {
+      span.textContent = part.step ? amount(motions[part.step - 1], q) : vector(part, all);
     }
   };
   return { node: box, update, text: () => [...box.children].map((l) => l.textContent).join("; ") };
@@ -364,9 +380,9 @@ export function mount(element, svg, scene, joints) {
   };
   const draw = () => {
     pending = 0;
-    const all = picture.draw(joints.read());
-    pose?.update(all[scene.tip]);
-    lines.update(all);
+    const q = joints.read(), all = picture.draw(q);
+    pose?.update(seenFrom(all[scene.tip], all[scene.pose.base ?? 0]));
+    lines.update(all, q);
     remarks();
     clearTimeout(described);
     described = setTimeout(describe, 400);          // a screen reader need not hear every step

@@ -147,7 +147,7 @@ class LiveView(ipywidgets.Box):
     def __repr__(self) -> str:
         values = [f"{knob.name}={numbers([slider.value])}{knob.suffix}"
                   for knob, slider in zip(self._knobs, self.sliders)]
-        formulas = [reading.text.format(*(f"({numbers(v)})" for v in self.readings[reading.name]))
+        formulas = [reading.text.format(*map(_said, self.readings[reading.name]))
                     for reading in self._scene.readings]
         return "\n".join([f"{type(self).__name__}({', '.join([repr(self._name), *values])})",
                           *formulas])
@@ -175,6 +175,10 @@ class LiveView(ipywidgets.Box):
 def decimals(size: float) -> int:
     """Decimals that tell a thousandth of a picture's size: 1 for millimetres, 3 for metres."""
     return min(3, max(1, 3 - math.floor(math.log10(size))))
+
+
+def _said(values: Sequence[float]) -> str:
+    return f"({numbers(values)})" if len(values) > 1 else numbers(values)
 
 
 def numbers(values: Sequence[float]) -> str:

@@ -6,13 +6,14 @@ follow the motions and project points can draw the scene at any setting, from an
 """
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import asdict, dataclass, field
 from typing import Any
 
 import numpy as np
 
-from .motions import TRANSLATE, Frame, Motion, matrix
+from .motions import ROTATE, TRANSLATE, Frame, Motion, matrix
 
 LINE, FACE, SOLID, ARROW, TEXT, TRACE = "line", "face", "solid", "arrow", "text", "trace"
 SPATIAL = {"3-D": (-60.0, 24.0), "top": (-90.0, 90.0), "front": (-90.0, 0.0), "side": (0.0, 0.0)}
@@ -28,7 +29,8 @@ class Step:
     """An elementary motion that a knob may drive: by ``amount + gain * q[joint]``.
 
     With `start` the knob scrubs: the motion runs from 0 to `gain` while the knob goes from `start`
-    to ``start + 1``. It begins at the frame `parent`, or at the one before it.
+    to ``start + 1``. With `scrub`, a knob and where it starts, another knob does that to the
+    whole motion. It begins at the frame `parent`, or at the one before it.
     """
 
     kind: str
@@ -38,15 +40,19 @@ class Step:
     gain: float = 1.0
     start: float | None = None
     parent: int | None = None
+    scrub: tuple[int, float] | None = None
 
     def value(self, q: Sequence[float]) -> Any:
         """Angle (rad) or length of the motion at the knobs' values `q`."""
+        share = 1.0 if self.scrub is None else _run(q[self.scrub[0]] - self.scrub[1])
         if self.joint is None:
-            return self.amount
-        turned = q[self.joint]
-        if self.start is not None:
-            turned = min(1.0, max(0.0, turned - self.start))
-        return self.amount + self.gain * turned
+            return share * self.amount
+        turned = q[self.joint] if self.start is None else _run(q[self.joint] - self.start)
+        return share * (self.amount + self.gain * turned)
+
+
+def _run(since: float) -> float:
+    return min(1.0, max(0.0, since))
 
 
 @dataclass(frozen=True)
@@ -79,19 +85,38 @@ class Vector:
     frame: int = 0
     size: int = 2
 
+    def read(self, scene: Scene, frames: np.ndarray, q: Sequence[float]) -> np.ndarray:
+        tail, head = (frames[k] @ (*local, 1.0) for k, *local in (self.tail, self.head))
+        return (frames[self.frame][:3, :3].T @ (head - tail)[:3])[:self.size]
+
+
+@dataclass(frozen=True)
+class Amount:
+    """How far motion number `step` goes: a length, or an angle in degrees."""
+
+    step: int
+
+    def read(self, scene: Scene, frames: np.ndarray, q: Sequence[float]) -> np.ndarray:
+        motion = scene.motions[self.step - 1]
+        return np.array([motion.value(q) * (math.degrees(1) if motion.kind == ROTATE else 1)])
+
 
 @dataclass(frozen=True)
 class Reading:
-    """A formula under the picture: text with a ``{}`` for each vector, which follow the knobs."""
+    """A formula under the picture: text with a ``{}`` for each vector or amount."""
 
     name: str
     text: str
-    vectors: tuple[Vector, ...]
+    vectors: tuple[Vector | Amount, ...]
 
 
 @dataclass(frozen=True)
 class Scene:
-    """All that is needed to draw something at any setting of its knobs, from any side."""
+    """All that is needed to draw something at any setting of its knobs, from any side.
+
+    `center` is the point in the middle of the picture, or, with `focus`, the origin of that frame,
+    wherever it goes. `tip` is the frame that a table shows and whose path a trace draws.
+    """
 
     motions: tuple[Step, ...]
     items: tuple[Item, ...]
@@ -101,6 +126,7 @@ class Scene:
     size: tuple[float, float] = SIZE
     presets: dict[str, tuple[float, float]] = field(default_factory=lambda: dict(SPATIAL))
     readings: tuple[Reading, ...] = ()
+    focus: int | None = None
 
     @property
     def scale(self) -> float:
@@ -115,27 +141,27 @@ class Scene:
             frames.append(parent.moved(Motion(step.kind, step.axis, step.value(q)), ()))
         return np.stack([matrix(frame) for frame in frames])
 
+    def middle(self, frames: np.ndarray) -> np.ndarray:
+        """The point in the middle of the picture."""
+        return np.array(self.center) if self.focus is None else frames[self.focus][:3, 3]
+
     def read(self, q: Sequence[float]) -> dict[str, tuple[np.ndarray, ...]]:
-        """The vectors of every reading, by its name."""
+        """The vectors and amounts of every reading, by its name."""
         frames = self.frames(q)
-
-        def components(vector: Vector) -> np.ndarray:
-            tail, head = (frames[k] @ (*local, 1.0) for k, *local in (vector.tail, vector.head))
-            return (frames[vector.frame][:3, :3].T @ (head - tail)[:3])[:vector.size]
-
-        return {reading.name: tuple(map(components, reading.vectors)) for reading in self.readings}
+        return {reading.name: tuple(part.read(self, frames, q) for part in reading.vectors)
+                for reading in self.readings}
 
     def data(self) -> dict:
         """The scene as plain data for the browser."""
         return {
             "motions": [[int(m.kind == TRANSLATE), m.axis, float(m.amount),
                          -1 if m.joint is None else m.joint, float(m.gain), m.start,
-                         k if m.parent is None else m.parent]
+                         k if m.parent is None else m.parent, m.scrub]
                         for k, m in enumerate(self.motions)],
             "items": [asdict(item) for item in self.items],
             "readings": [asdict(reading) for reading in self.readings],
             "tip": self.tip, "center": self.center, "scale": self.scale, "size": self.size,
-            "presets": self.presets,
+            "presets": self.presets, "focus": self.focus,
         }
 
 

@@ -123,10 +123,10 @@ class Sketch:
         self.line(f"legs-{name}", ((frame, 0.0, 0.0, 0.0), corner, point))
 
     def sweep(self, name: str, step: int, place: Sequence[float], style: str = "arc",
-              text: str = "") -> None:
+              text: str = "") -> list[int]:
         """The path that a point takes as motion number `step` (its frame) is carried out.
 
-        For a rotation an arc, for a slide a line; `text` stands at its middle.
+        For a rotation an arc, for a slide a line; `text` stands at its middle. The frames along it.
         """
         motion, before = self.steps[step - 1], self._before(step)
         marks = [self._part(motion, before, share) for share in np.linspace(0, 1, 17)]
@@ -134,6 +134,7 @@ class Sketch:
         if text:
             outside = (1.25 if motion.kind == ROTATE else 1.0) * np.array(place, dtype=float)
             self.label(text, at(marks[8], outside)[0])
+        return marks
 
     def vector(self, tail: Point | int, head: Point | int, frame: int = 0) -> Vector:
         """For formulas: components in `frame`; a frame's number stands for its origin."""
@@ -160,7 +161,7 @@ class Sketch:
 
     def _part(self, motion: Step, before: int, share: float) -> int:
         return self.move(motion.kind, motion.axis, share * motion.amount, motion.joint, before,
-                         gain=share * motion.gain, start=motion.start)
+                         gain=share * motion.gain, start=motion.start, scrub=motion.scrub)
 
     def _add(self, gid: str, shape: str, style: str, points: Iterable[Point], text: str = "",
              lift: float = 0.0) -> None:
