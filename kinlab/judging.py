@@ -244,8 +244,8 @@ def _value(name: str, part: Any, point: Case, constants: Case) -> float:
     symbols, values = expression.free_symbols, {**constants, **point}
     strange = sorted({symbol.name for symbol in symbols} - set(values))
     if strange:
-        raise Wrong(f"{name} holds {', '.join(strange)}; of the joint variables only "
-                    f"{', '.join(point)} may stand in it.")
+        raise Wrong(f"{name} holds {', '.join(strange)}; only "
+                    f"{', '.join([*point, *constants])} may stand in it.")
     try:
         return float(expression.subs({s: values[s.name] for s in symbols}))
     except (TypeError, ValueError):

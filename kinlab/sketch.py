@@ -97,8 +97,9 @@ class Sketch:
         """A dot with its name."""
         (point,) = at(frame, (*place, 0)[:3])
         beside = (point[0], *(np.array(point[1:]) + 0.07 * self.radius * np.array([1, 1, 0])))
-        # A dot is a line too short to see, with round ends; of one without length Agg draws none.
-        (end,) = at(frame, (point[1] + 1e-4 * self.radius, *point[2:]))
+        # A dot is a line too short to see, with round ends. Agg draws none of a line without
+        # length, nor of one along a row of pixels, which it rounds to whole pixels.
+        (end,) = at(frame, np.array(point[1:]) + 1e-3 * self.radius)
         self._add(f"point-{name}", LINE, style, (point, end), lift=self.radius)
         self._add(f"name-{name}", TEXT, "ink", (beside,), name, lift=self.radius)
         return point
