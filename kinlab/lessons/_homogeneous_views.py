@@ -21,9 +21,10 @@ def combined() -> LiveView:
     sketch.label("c⁰", at(sketch.move(ROTATE, Z, 0, 2, half), (0.65, 0.75, 0))[0], "z")
     sketch.arrow("rotated", _origin(frame), c)
     sketch.label("R₁⁰ c¹", at(frame, (1.05, 0.3, 0))[0])
-    sketch.reading("c0", "c⁰ = o₁⁰ + R₁⁰ c¹ = {} + {} = {}", sketch.vector(0, frame),
-                   sketch.vector(frame, c), sketch.vector(0, c))
     sketch.reading("c1", "c¹ = {}", sketch.vector(frame, c, frame))
+    sketch.reading("o", "o₁⁰ = {}", sketch.vector(0, frame))
+    sketch.reading("rotated", "R₁⁰ c¹ = {}", sketch.vector(frame, c))
+    sketch.reading("c0", "c⁰ = o₁⁰ + R₁⁰ c¹ = {}", sketch.vector(0, c))
     return sketch.view(panels=_table("H₁⁰", "1", "xy"))
 
 
@@ -43,11 +44,11 @@ def seen_back() -> LiveView:
 
 def chain(n: int = 3) -> LiveView:
     """A chain of n frames: every term of the successive expansion is one arrow."""
-    sketch, offset = Sketch(f"A chain of {n} frames", 1.55 * (n + 1)), (1.2, 0.9)
+    sketch, offset = Sketch(f"A chain of {n} frames", 1.45 * (n + 1)), (1.2, 0.9)
     knobs = [sketch.knob(Knob.angle(f"theta_{k}", f"θ{subscript(str(k))}",
                                     home=radians((50, -80, 60, -100, 60, 40)[k - 1])))
              for k in range(1, n + 1)]
-    frame, turns, length = 0, "", 0.6
+    frame, turns, length = 0, "", 0.75
     sketch.axes("0", 0, length)
     for k, knob in enumerate(knobs, start=1):
         before = frame
@@ -66,7 +67,7 @@ def order() -> LiveView:
     sketch, knob = _scrubbed("Slide and turn in both orders")
     a = _motions(sketch, "A", knob, 1.05, (TRANSLATE, 0), (ROTATE, 1))
     b = _motions(sketch, "B", knob, 1.05, (ROTATE, 0), (TRANSLATE, 1))
-    return _compared(sketch, ("A: slide, then turn", a), ("B: turn, then slide", b))
+    return _compared(sketch, ("A (slide, turn)", a), ("B (turn, slide)", b))
 
 
 def fixed() -> LiveView:
@@ -74,24 +75,23 @@ def fixed() -> LiveView:
     sketch, knob = _scrubbed("Slide, then turn, about moving and about fixed axes")
     a = _motions(sketch, "A", knob, 1.05, (TRANSLATE, 0), (ROTATE, 1))
     f = _motions(sketch, "F", knob, 2.0, (ROTATE, 1), (TRANSLATE, 0))  # the later on the left
-    return _compared(sketch, ("A: slide, then turn about its own origin", a),
-                     ("F: slide, then turn about the origin of frame 0", f))
+    return _compared(sketch, ("A (own axes)", a), ("F (fixed axes)", f))
 
 
 def spatial() -> LiveView:
     """A frame in space: it slides along x, y, z, then turns about its z, then about its x."""
-    sketch = Sketch("A frame in space", 3.5, planar=False)
-    slides = [sketch.knob(Knob.length(f"o_{axis}", f"o₁⁰, {axis}", -2, 2, home))
-              for axis, home in zip("xyz", (1.5, 0.5, 1.0))]
-    theta, phi = (sketch.knob(Knob.angle(name, symbol, home=radians(home)))
-                  for name, symbol, home in (("theta", "θ about z", 25), ("phi", "φ about x", -35)))
+    sketch = Sketch("A frame in space", 3.4, planar=False)
+    slides = [sketch.knob(Knob.length(f"o_{axis}", f"o₁⁰, {axis}", -1.2, 1.2, home))
+              for axis, home in zip("xyz", (1.0, 0.5, 0.8))]
+    theta = sketch.knob(Knob.angle("theta", "θ", home=radians(-30), title="turn about own z"))
+    phi = sketch.knob(Knob.angle("phi", "φ", home=radians(40), title="turn about own x"))
     sketch.axes("0", 0, 1.0)
     for axis, knob in zip((X, Y, Z), slides):
         sketch.move(TRANSLATE, axis, 0, knob)
     sketch.move(ROTATE, Z, 0, theta)
     sketch.tip = frame = sketch.move(ROTATE, X, 0, phi)
     sketch.axes("1", frame, 1.0)
-    c = sketch.point("c", frame, (1.5, 1.0, 0.5))
+    c = sketch.point("c", frame, (1.0, 0.6, 0.5))
     sketch.arrow("o", ROOM, _origin(frame))
     sketch.arrow("rotated", _origin(frame), c)
     sketch.reading("c0", "c⁰ = o₁⁰ + R₁⁰ c¹ = {}", sketch.vector(0, c))
@@ -125,7 +125,7 @@ def _indices(k: int) -> str:
 def _term(sketch: Sketch, name: str, turns: str, frame: int, head: Point) -> None:
     """One arrow of the chain, with its name beside it and its numbers in a row of their own."""
     sketch.arrow(f"arrow-{name}", _origin(frame), head)
-    sketch.label(name, at(frame, (1.05, 0.4, 0))[0])
+    sketch.label(name, at(frame, (1.0, 0.42, 0))[0])
     sketch.reading(name, f"{turns} {name} = {{}}".strip(), sketch.vector(_origin(frame), head))
 
 
