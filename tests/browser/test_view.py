@@ -69,6 +69,21 @@ def test_python_moves_the_picture_and_the_sliders(live):
     assert "q=[0, 0, 0, -90, 0] deg" in text
 
 
+@pytest.mark.parametrize("times", [1, 2])
+def test_python_sets_any_value_exactly(live, times):
+    robot, views = kl.robots.cylindrical, ["view"] * times
+    cell = "import kinlab as kl\nview = kl.ArmView(kl.robots.cylindrical())"
+    view = live(cell, *views, views=times)[0]
+    q = [0.123456789123, 0.123456789123, 0.6 / 1.7]
+    run_code(view.page, f"view.q = {q}")
+    wait_for_readouts(view, [np.degrees(q[0])])
+    assert_picture(read(view), robot, q, THREE_D)
+    view.get_by_role("slider").nth(0).press("ArrowRight")
+    wait_for_readouts(view, [8])
+    after = wait_for_kernel(view.page, robot, [8, *q[1:]])
+    np.testing.assert_allclose(after, [np.radians(8), *q[1:]], rtol=1e-12)
+
+
 def test_beyond_a_limit_the_arm_stops_and_the_remark_says_so(live):
     (view,) = live(SHOW)
     page, remark = view.page, view.locator(".kl-remark")
@@ -291,8 +306,7 @@ def test_everything_works_from_the_keyboard_alone(live):
                        "End": 120, "Home": -120}.items():
         page.keyboard.press(key)
         assert_drawn(view, [0, value, 0, 0, 0])
-    assert page.evaluate("document.querySelectorAll('.jp-Notebook:not(.lm-mod-hidden) .jp-Cell')"
-                         ".length") == 1  # no key reached the notebook
+    assert page.locator(".jp-Notebook:visible .jp-Cell").count() == 1  # no key reached it
 
 
 LOOK = """view => {
