@@ -13,6 +13,7 @@ _NAMES = {
     "transforms": ("apply", "compose", "homogeneous", "inverse", "rotation_2d", "rotation_x",
                    "rotation_y", "rotation_z", "translation"),
     "symbolic": ("ClosedForm", "closed_form"),
+    "parsing": ("parse_number",),
     "euler": ("ZYZAngles", "zyz_angles", "zyz_matrix"),
     "live": ("ArmView",),
 }
