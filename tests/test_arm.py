@@ -34,6 +34,7 @@ def test_a_link_is_zero_and_unlimited_unless_told(make):
     link = make()
     assert (link.theta, link.d, link.a, link.alpha) == (0, 0, 0, 0)
     assert link.limits is None and link.name is None
+    assert link == kl.Link(link.kind)
 
 
 def test_an_arm_stands_at_the_origin_with_zero_home_unless_told():

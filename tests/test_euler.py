@@ -127,6 +127,7 @@ def test_what_the_angles_say():
     assert kl.zyz_angles(textbook.zyz(radians(20), 0, radians(10))).message == (
         "theta = 0 degrees: any phi and psi with phi + psi = 30.0000 degrees")
     upside_down = kl.zyz_angles(textbook.zyz(radians(20), pi, radians(50)))
+    assert kl.zyz_angles(np.diag([-1, 1, -1])).message.endswith("phi - psi = 0.0000 degrees")
     assert repr(upside_down) == (
         "ZYZ: theta = 180 degrees: any phi and psi with phi - psi = -30.0000 degrees")
 
