@@ -144,7 +144,7 @@ def main() -> None:
     check = np.random.default_rng(0).uniform(-pi, pi, (1_000, 6))
     difference = largest_difference(stored, check)
     assert difference < 1e-9, f"results differ by {difference}: nothing to compare"
-    print(f"All results agree over 1000 poses, within {difference:.1g}.\n")
+    print(f"All that store results agree over 1000 poses, within {difference:.1g}.\n")
     solvers = {"floor, chunked": floor_chunked, "floor, naive": floor_naive, **stored}
     times = {batch: measured(solvers, batch) for batch in BATCHES}
     progress()
