@@ -142,7 +142,7 @@ def test_joint_axes_lie_along_the_joints(arm_and_q):
     for i, k in enumerate(axis_frames(arm), start=1):
         for point in places[f"axis-{i}"]:
             close(np.cross(point - frames[k][:3, 3], frames[k][:3, 2]), 0, atol=1e-10)
-        assert np.ptp(places[f"axis-{i}"] @ frames[k][:3, 2]) > 0.3 * scene.radius
+        assert np.ptp(places[f"axis-{i}"] @ frames[k][:3, 2]) > 0.1 * scene.radius
 
 
 @few
