@@ -94,6 +94,8 @@ class ArmView(ipywidgets.Box):
         panel.add_class("kl-joints")
         super().__init__([self._canvas, panel, *([self._formula()] if closed_form else [])])
         self.add_class("kl-view")
+        for slider in self.joints:
+            slider.observe(self._forget, "value")
         self.q = start
 
     @property
@@ -132,6 +134,10 @@ class ArmView(ipywidgets.Box):
         still = draw.figure(self._scene, self.q, self._preset, self._show)
         bundle |= {"text/plain": repr(self), "image/png": draw.png(still)}
         return bundle, {"image/png": {"alt": f"Picture of the arm. {self!r}"}}
+
+    def _forget(self, _: Any) -> None:
+        """A joint has moved: what was remarked about the pose before no longer holds."""
+        self._canvas.note = ""
 
     def _slider(self, i: int) -> ipywidgets.FloatSlider:
         link, scale = self.arm.links[i], self._scales[i]
