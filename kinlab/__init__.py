@@ -12,7 +12,10 @@ _NAMES = {
     "kinematics": ("forward_kinematics", "jacobian", "link_frames"),
     "transforms": ("apply", "compose", "homogeneous", "inverse", "rotation_2d", "rotation_x",
                    "rotation_y", "rotation_z", "translation"),
-    "symbolic": ("ClosedForm", "closed_form"),
+    "singularity": ("manipulability", "rank", "singular_directions"),
+    "ik": ("InverseBatch", "InverseResult", "inverse_kinematics", "inverse_kinematics_batch"),
+    "symbolic": ("ClosedForm", "closed_form", "jacobian_form"),
+    "parsing": ("parse_number",),
     "euler": ("ZYZAngles", "zyz_angles", "zyz_matrix"),
     "arm_view": ("ArmView",),
 }

@@ -21,6 +21,11 @@ MATHEMATICS = {
     "transforms": {"numpy", "checks", "motions"},
     "arm": {"numpy", "checks", "motions"},
     "kinematics": {"numpy", "checks", "motions", "arm"},
+    "singularity": {"numpy", "checks", "arm", "kinematics"},
+    "pose_error": {"numpy", "arm", "motions", "kinematics"},
+    "descent": {"numpy", "pose_error"},
+    "solve": {"numpy", "kinematics", "pose_error", "descent"},
+    "ik": {"numpy", "checks", "arm", "kinematics", "pose_error", "descent", "solve"},
     "notation": {"sympy"},
     "symbolic": {"sympy", "checks", "motions", "arm", "kinematics", "notation"},
     "euler": {"numpy", "checks", "motions", "transforms"},
@@ -61,6 +66,7 @@ def test_import_loads_no_heavy_library():
 
 def test_numbers_need_no_heavy_library():
     code = ("import kinlab as kl; arm = kl.to_modified(kl.robots.alpha_ii())\n"
+            "kl.inverse_kinematics(arm, [0, 0, 0]).message; kl.rank(arm, arm.home)\n"
             "kl.jacobian(arm, arm.home); kl.zyz_angles(kl.rotation_x(0.1)); kl.compose(arm.base)")
     assert not loaded_by(code).intersection(HEAVY)
 

@@ -112,6 +112,9 @@ def test_a_typed_number_moves_the_arm_and_stops_at_the_limit(live):
     type_in(view, 1, "-33")
     values = [0, -33, 0, -90, 0]
     assert_drawn(view, values)
+    type_in(view, 0, "12.5")
+    values[0] = 12.5
+    assert_drawn(view, values)
     type_in(view, 2, "400")
     values[2] = 135
     assert_drawn(view, values)
