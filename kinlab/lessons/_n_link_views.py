@@ -1,0 +1,81 @@
+"""Views of Practical 3: what the two DH conventions make of one arm and of one table."""
+from __future__ import annotations
+
+from dataclasses import replace
+from itertools import accumulate
+from typing import Any
+
+import numpy as np
+
+from ..arm import Arm, to_modified, to_standard
+from ..arm_scene import arm_scene, is_planar
+from ..arm_view import joint_knob
+from ..kinematics import joint_values
+from ..live import LiveView
+from ..scene import Scene, at, subscript
+from ..sketch import Sketch
+
+
+def both_conventions(arm: Arm, *links: int, q: Any = None) -> LiveView:
+    """Frames of some links in both conventions on one arm; a prime marks the standard ones."""
+    modified, standard = to_modified(arm), to_standard(arm)
+    drawn, sketch = _start(modified, f"{arm.name}, frames of both conventions")
+    far, size = _branch(sketch, standard), 0.21 * drawn.radius
+    near = list(accumulate(sum(not m.idle for m in part) for part in modified.chain))
+    for i in links:
+        sketch.axes(str(i), near[i], size)
+        sketch.axes(f"{i}′", far[i], 0.7 * size)
+        for prime, frame in (("", near[i]), ("′", far[i])):
+            sketch.reading(f"o{i}{prime}", f"o{subscript(str(i))}{prime} = {{}} {arm.unit}",
+                           sketch.vector(0, frame))
+    shown = {f"axis-{joint}" for i in links for joint in (i, i + 1)}
+    return _finish(modified, drawn, sketch, q, shown)
+
+
+def misread(arm: Arm, q: Any = None) -> LiveView:
+    """The arm, and as a thin line what its table means in the other convention."""
+    other = "standard" if arm.convention == "modified" else "modified"
+    wrong = replace(arm, convention=other)
+    drawn, sketch = _start(arm, f"{arm.name}, its table read in both conventions")
+    right = len(sketch.steps)
+    tip = _branch(sketch, wrong)[-1]
+    sketch.line("misread", [at(k, (0, 0, 0))[0] for k in (0, *range(right + 1, tip + 1))], "trace")
+    sketch.point("p′", tip, (0, 0, 0))
+    for prime, frame, convention in (("", right, arm.convention), ("′", tip, other)):
+        sketch.reading(f"p{prime}", f"p{prime} = {{}} {arm.unit}, read as {convention}",
+                       sketch.vector(0, frame))
+    reach = arm_scene(wrong)
+    away = float(np.linalg.norm(np.subtract(reach.center, drawn.center)))
+    return _finish(arm, replace(drawn, radius=max(drawn.radius, away + reach.radius)), sketch, q)
+
+
+def _start(arm: Arm, name: str) -> tuple[Scene, Sketch]:
+    """The arm's drawing, and an empty sketch that begins with its motions."""
+    drawn = arm_scene(arm)
+    sketch = Sketch(name, drawn.radius, planar=is_planar(arm), unit=arm.unit)
+    sketch.items.clear()
+    sketch.steps.extend(drawn.motions)
+    return drawn, sketch
+
+
+def _branch(sketch: Sketch, arm: Arm) -> list[int]:
+    """Follow all motions of an arm from the room; the frames where its links and tool end."""
+    frame, ends = 0, []
+    for stretch in arm.chain:
+        for motion in stretch:
+            frame = sketch.move(motion.kind, motion.axis, motion.amount, motion.joint, frame)
+        ends.append(frame)
+    return ends
+
+
+def _finish(arm: Arm, drawn: Scene, sketch: Sketch, q: Any,
+            axes: set[str] = frozenset()) -> LiveView:
+    """The sketch laid over the arm, whose own frames are left out."""
+    under = [replace(item, layer="") for item in drawn.items if not item.layer or item.gid in axes]
+    over = [replace(item, body=item.body + len(drawn.items), lift=item.lift + drawn.radius)
+            for item in sketch.items]
+    scene = replace(sketch.scene(), items=(*under, *over), center=drawn.center,
+                    radius=drawn.radius)
+    start = joint_values(arm, arm.home if q is None else q).tolist()
+    knobs = [replace(joint_knob(arm, i), home=value) for i, value in enumerate(start)]
+    return LiveView(scene, knobs, name=sketch.name)
