@@ -1,8 +1,9 @@
-"""Views of Practical 3: what the two DH conventions make of one arm and of one table."""
+"""Views of Practical 3: one arm, one table and two DH conventions; the three ZYZ angles."""
 from __future__ import annotations
 
 from dataclasses import replace
 from itertools import accumulate
+from math import radians
 from typing import Any
 
 import numpy as np
@@ -11,7 +12,8 @@ from ..arm import Arm, to_modified, to_standard
 from ..arm_scene import arm_scene, is_planar
 from ..arm_view import joint_knob
 from ..kinematics import joint_values
-from ..live import LiveView
+from ..live import Knob, LiveView
+from ..motions import ROTATE, Y, Z
 from ..scene import Scene, at, subscript
 from ..sketch import Sketch
 
@@ -79,3 +81,22 @@ def _finish(arm: Arm, drawn: Scene, sketch: Sketch, q: Any,
     start = joint_values(arm, arm.home if q is None else q).tolist()
     knobs = [replace(joint_knob(arm, i), home=value) for i, value in enumerate(start)]
     return LiveView(scene, knobs, name=sketch.name)
+
+
+def zyz_view() -> LiveView:
+    """A frame turned by the three ZYZ angles, each drawn as an arc."""
+    sketch = Sketch("ZYZ angles", 1.6, planar=False)
+    knobs = [sketch.knob(Knob.angle(name, letter, home=radians(home)))
+             for name, letter, home in (("phi", "φ", 40), ("theta", "θ", 50), ("psi", "ψ", 30))]
+    sketch.axes("0", 0, 1.3)
+    turns = [sketch.move(ROTATE, axis, 0.0, knob) for axis, knob in zip((Z, Y, Z), knobs)]
+    sketch.axes("", turns[-1], 1.0)
+    sketch.tip = turns[-1]
+    for step, place, letter in zip(turns, ((0.55, 0, 0), (0, 0, 0.6), (0.75, 0, 0)), "φθψ"):
+        sketch.sweep(f"arc-{letter}", step, place, text=letter)
+        sketch.line(f"ray-{letter}", at(step, (0, 0, 0), place))
+    for axis, place in (("x", (1, 0, 0)), ("z", (0, 0, 1))):
+        sketch.reading(axis, f"{axis} axis = {{}}", sketch.vector(0, at(turns[-1], place)[0]))
+    columns = [{"name": axis, "title": f"{axis} axis"} for axis in "xyz"]
+    return sketch.view(panels={"pose": {"title": "R = Rz(φ) Ry(θ) Rz(ψ)", "columns": columns,
+                                        "rows": 3, "decimals": 3}})

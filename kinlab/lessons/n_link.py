@@ -14,9 +14,9 @@ from ..arm import Arm
 from ..judging import Blank, Wrong, function, is_stub, joint_values
 from . import _n_link_programs
 from ._n_link_programs import ARM_CASES, GIVEN, through
-from ._n_link_views import both_conventions, misread
+from ._n_link_views import both_conventions, misread, zyz_view
 
-__all__ = ["JUDGES", "both_conventions", "misread"]
+__all__ = ["JUDGES", "both_conventions", "misread", "zyz_view"]
 
 # ---- Exercise 3: the six-link arm ------------------------------------------------------
 
