@@ -273,4 +273,8 @@ def _for(case: Case) -> str:
 
 
 def _said(case: Case) -> str:
-    return ", ".join(f"{name} = {value:.6g}" for name, value in case.items())
+    return ", ".join(f"{name} = {_written(value)}" for name, value in case.items())
+
+
+def _written(value: Any) -> str:
+    return f"[{', '.join(map(_written, value))}]" if np.ndim(value) else f"{value:.6g}"
