@@ -43,10 +43,10 @@ def riding_view() -> LiveView:
     sketch.line("circle", _circle(1.3))
     sketch.arrow("arrow-c", ORIGIN, point)
     sketch.reading("c1", "c¹ = {}, always", sketch.vector(frame, point, frame))
-    sketch.reading("c0", "c⁰ = R₁⁰ c¹ = 1.2 x₁ + 0.5 y₁ = {} + {} = {}",
+    sketch.reading("c0", "c⁰ = 1.2 x₁ + 0.5 y₁ = {} + {} = {}",
                    sketch.vector(0, corner), sketch.vector(corner, point),
                    sketch.vector(0, point))
-    return sketch.view(panels=_table("xy"))
+    return sketch.view(panels=_table("xy") | {"decimals": 2})
 
 
 def still_view() -> LiveView:

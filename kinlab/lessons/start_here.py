@@ -27,7 +27,7 @@ def reach_view() -> LiveView:
     (tip,), (target,), (start,) = at(scene.tip, (0, 0, 0)), at(0, (*TARGET, 0)), at(0, (0, 0, 0))
     ring = [(*(TARGET + 0.1 * np.array([cos(t), sin(t)])), 0) for t in np.linspace(0, 2 * pi, 33)]
     body, lift = len(scene.items), scene.radius
-    bare = tuple(item for item in scene.items if item.layer in ("", "trace"))
+    bare = tuple(item for item in scene.items if not item.layer)
     extra = (Item("target", LINE, "z", at(0, *ring), body, lift=lift),
              Item("target-name", TEXT, "z", at(0, (*(TARGET + [0.25, 0.16]), 0)), body + 1, "",
                   "target", lift),
@@ -36,7 +36,7 @@ def reach_view() -> LiveView:
                 Reading("gap", "inverse: still to go, target - p = {} m", (Vector(tip, target),)))
     shown = replace(scene, items=bare + extra, readings=readings, presets={"top": (-90.0, 90.0)})
     knobs = [replace(joint_knob(_ARM, i), home=radians(home)) for i, home in enumerate((-40, 60))]
-    return LiveView(shown, knobs, name="Two-link arm and a target", show=("trace",))
+    return LiveView(shown, knobs, name="Two-link arm and a target")
 
 
 # ---- Exercise 1: forward or inverse? -----------------------------------------------------

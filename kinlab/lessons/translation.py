@@ -10,6 +10,7 @@ from ..scene import Point, at
 from ..sketch import Sketch
 
 ORIGIN: Point = (0, 0.0, 0.0, 0.0)
+_SHORT = {"decimals": 2}
 
 # ---- Views --------------------------------------------------------------------------
 
@@ -25,7 +26,7 @@ def sliding_view() -> LiveView:
     _triangle(sketch, frame, point, (halfway, 0.75, 1.05, 0.0), (0, 0.25, 1.25, 0.0))
     sketch.label("o₁⁰", (halfway, -0.15, -0.35, 0.0))
     _sum(sketch, frame, point)
-    return sketch.view()
+    return sketch.view(panels=_SHORT)
 
 
 def riding_view() -> LiveView:
@@ -38,14 +39,14 @@ def riding_view() -> LiveView:
     _triangle(sketch, frame, point, (frame, 0.25, 1.15, 0.0), (halfway, 0.75, 1.15, 0.0))
     sketch.label("o₁⁰", (halfway, 0.2, -0.3, 0.0))
     _sum(sketch, frame, point)
-    return sketch.view()
+    return sketch.view(panels=_SHORT)
 
 
 def chain_view() -> LiveView:
     """Two slides one after the other; dashed, the same two in the other order."""
-    sketch = Sketch("Two slides, and the same two in the other order", 4)
-    first = _knobs(sketch, "o1", "o₁", (2, -1))
-    second = _knobs(sketch, "o2", "o₂", (-0.5, 2))
+    sketch = Sketch("Two slides, and the same two in the other order", 5.3)
+    first = _knobs(sketch, "o1", "o₁", (1.5, -1))
+    second = _knobs(sketch, "o2", "o₂", (-0.5, 1.5))
     one, half_one = _frame(sketch, "1", *first)
     two, half_two = _frame(sketch, "2", *second, parent=one)
     other, _ = _slide(sketch, *second, parent=0)
@@ -58,14 +59,15 @@ def chain_view() -> LiveView:
     sketch.label("o₂⁰", (_slide(sketch, *second, parent=half_one)[1], -0.3, 0.3, 0.0))
     sketch.reading("o2", "o₂⁰ = o₁⁰ + o₂¹ = {} + {} = {}", sketch.vector(0, one),
                    sketch.vector(one, two), sketch.vector(0, two))
-    sketch.reading("other", "other order: o₂¹ + o₁⁰ = {} + {} = {}", sketch.vector(0, other),
+    sketch.reading("other", "o₂¹ + o₁⁰ = {} + {} = {}", sketch.vector(0, other),
                    sketch.vector(other, two), sketch.vector(0, two))
-    return sketch.view()
+    return sketch.view(panels=_SHORT)
 
 
 def _knobs(sketch: Sketch, name: str, letter: str, home: tuple[float, float]) -> list[int]:
+    reach = 2.5 if name == "o" else 2.0
     lower = {"o": ("oₓ", "oᵧ")}.get(letter, (f"{letter} x", f"{letter} y"))
-    return [sketch.knob(Knob.length(f"{name}_{axis}", label, -2, 2, start))
+    return [sketch.knob(Knob.length(f"{name}_{axis}", label, -reach, reach, start))
             for axis, label, start in zip("xy", lower, home)]
 
 
