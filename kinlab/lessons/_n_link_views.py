@@ -22,7 +22,9 @@ def both_conventions(arm: Arm, *links: int, q: Any = None) -> LiveView:
     """Frames of some links in both conventions on one arm; a prime marks the standard ones."""
     modified, standard = to_modified(arm), to_standard(arm)
     drawn, sketch = _start(modified, f"{arm.name}, frames of both conventions")
-    far, size = _branch(sketch, standard), 0.21 * drawn.radius
+    if not sketch.planar:  # come closer: what matters are the frames at both ends of the links
+        drawn = replace(drawn, radius=0.55 * drawn.radius)
+    far, size = _branch(sketch, standard), 0.2 * sketch.radius
     near = list(accumulate(sum(not m.idle for m in part) for part in modified.chain))
     for i in links:
         sketch.axes(str(i), near[i], size)
@@ -31,7 +33,8 @@ def both_conventions(arm: Arm, *links: int, q: Any = None) -> LiveView:
             sketch.reading(f"o{i}{prime}", f"o{subscript(str(i))}{prime} = {{}} {arm.unit}",
                            sketch.vector(0, frame))
     shown = {f"axis-{joint}" for i in links for joint in (i, i + 1)}
-    return _finish(modified, drawn, sketch, q, shown)
+    closer = replace(drawn, focus=None if sketch.planar else near[links[0]])
+    return _finish(modified, closer, sketch, q, shown)
 
 
 def misread(arm: Arm, q: Any = None) -> LiveView:
@@ -44,7 +47,7 @@ def misread(arm: Arm, q: Any = None) -> LiveView:
     sketch.line("misread", [at(k, (0, 0, 0))[0] for k in (0, *range(right + 1, tip + 1))], "trace")
     sketch.point("p′", tip, (0, 0, 0))
     for prime, frame, convention in (("", right, arm.convention), ("′", tip, other)):
-        sketch.reading(f"p{prime}", f"p{prime} = {{}} {arm.unit}, read as {convention}",
+        sketch.reading(f"p{prime}", f"{convention}: p{prime} = {{}} {arm.unit}",
                        sketch.vector(0, frame))
     reach = arm_scene(wrong)
     away = float(np.linalg.norm(np.subtract(reach.center, drawn.center)))
@@ -77,7 +80,7 @@ def _finish(arm: Arm, drawn: Scene, sketch: Sketch, q: Any,
     over = [replace(item, body=item.body + len(drawn.items), lift=item.lift + drawn.radius)
             for item in sketch.items]
     scene = replace(sketch.scene(), items=(*under, *over), center=drawn.center,
-                    radius=drawn.radius)
+                    radius=drawn.radius, focus=drawn.focus)
     start = joint_values(arm, arm.home if q is None else q).tolist()
     knobs = [replace(joint_knob(arm, i), home=value) for i, value in enumerate(start)]
     return LiveView(scene, knobs, name=sketch.name)
