@@ -18,7 +18,7 @@ def both_methods() -> LiveView:
     """The two-link arm: its dashed legs are the trigonometry, its frames the matrices."""
     sketch = Sketch("Two-link arm, by both methods", 4)
     t1, t2 = (sketch.knob(Knob.angle(f"theta_{k}", f"θ{subscript(str(k))}", home=radians(home)))
-              for k, home in ((1, 25), (2, 35)))
+              for k, home in ((1, 35), (2, 25)))
     l1, l2 = (sketch.knob(Knob.length(f"l_{k}", f"l{subscript(str(k))}", 0.5, 2, home))
               for k, home in ((1, 2.0), (2, 1.5)))
     sketch.axes("0", 0, 0.9)
@@ -31,7 +31,7 @@ def both_methods() -> LiveView:
     _legs(sketch, ("l₂C₁₂", "l₂S₁₂"), second, l2, [t1, t2])
     sketch.sweep("theta-1", first, (0.85, 0, 0), text="θ₁")
     sketch.line("ahead", at(second - 1, (0, 0, 0), (1.1, 0, 0)))
-    sketch.sweep("theta-2", second, (0.85, 0, 0), text="θ₂")
+    sketch.sweep("theta-2", second, (0.75, 0, 0), text="θ₂")
     _both_readings(sketch, second, end, (t1, t2, l1, l2))
     return sketch.view(panels=_table())
 

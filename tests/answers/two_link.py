@@ -80,7 +80,7 @@ WRONG = [
     ("two_link.3", shorter, "last link is forgotten"),
     ("two_link.3", bent(np.cumsum, lambda a: a[-1]), "direction of the last link"),
     ("two_link.3", lambda links, a: tip(links, a)[[1, 0, 2]], "x takes the cosine"),
-    ("two_link.3", lambda links, a: tip(links, a)[:2], "For lengths = [1], angles = [0.5]: expected"),
+    ("two_link.3", lambda links, a: tip(links, a)[:2], "lengths = [1], angles = [0.5]: expected"),
     ("two_link.4", [60, 120], "np.radians"),
     ("two_link.4", np.radians([60, 180]), "counts from link 1"),
     ("two_link.4", np.radians([60, -120]), "do not go together"),
