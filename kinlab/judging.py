@@ -86,7 +86,7 @@ def expressions(names: Sequence[str], reference: Callable, points: Sequence[Case
 
 def values(right: Any, *, entry: Callable[[tuple], str], slips: Sequence[tuple[str, Any]] = (),
            praise: str) -> Judge:
-    """Judge of a vector or a matrix of numbers.
+    """Judge of a vector or a matrix of numbers, which does not tell the right ones.
 
     Parameters
     ----------
@@ -193,8 +193,9 @@ def _compare(results: Sequence, reference: Callable, cases: Sequence[Case],
         off = np.argwhere(~_close(result, right))
         if len(off):
             index = tuple(off[0])
-            fault = (f"{_for(case)}{entry(index)} should be {right[index] + 0.0:.6g}, "
-                     f"got {result[index] + 0.0:.6g}.")
+            should, got = (f"{array[index] + 0.0:.6g}" for array in (right, result))
+            fault = _for(case) + (f"{entry(index)} should be {should}, got {got}." if case
+                                  else f"{entry(index)} is not {got}.")
             raise Wrong(" ".join([fault, *_first(slips, is_slip)]))
 
 
@@ -219,7 +220,7 @@ def _first(slips: Sequence[Slip], matches: Callable) -> list[str]:
 
 def _parts(answer: Any, names: Any, noun: str) -> list:
     """The parts of an answer that comes as a list, a tuple, an array or a sympy matrix."""
-    wanted = f"{len(names)} {noun}s: {', '.join(names)}"
+    wanted = f"{len(names)} {noun}{'s' * (len(names) > 1)}: {', '.join(names)}"
     _refuse_stub(answer, f"Give {wanted}.")
     if isinstance(answer, (str, bytes, dict, set)) or not hasattr(answer, "__len__"):
         raise Wrong(f"Expected {wanted}, in a list; got {checks.brief(answer)}.")
@@ -268,8 +269,12 @@ def _braces(numbers: set) -> str:
 
 
 def _for(case: Case) -> str:
-    return f"For {_said(case)}: " if case else ""
+    return f"For {_said(case)}: " if case else "Your answer: "
 
 
 def _said(case: Case) -> str:
-    return ", ".join(f"{name} = {value:.6g}" for name, value in case.items())
+    return ", ".join(f"{name} = {_written(value)}" for name, value in case.items())
+
+
+def _written(value: Any) -> str:
+    return f"[{', '.join(map(_written, value))}]" if np.ndim(value) else f"{value:.6g}"

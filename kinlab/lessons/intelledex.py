@@ -1,0 +1,188 @@
+"""Lesson 08, the Intelledex 660T: its view, its exercises' references and typical slips."""
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+from functools import partial
+from math import cos, degrees, pi, sin
+from typing import Any
+
+import numpy as np
+
+from .. import kinematics, robots
+from ..arm import Arm
+from ..judging import Blank, Wrong, choices, expressions, function, is_stub, joint_values
+
+_ARM = robots.intelledex_660t()
+_JOINTS = tuple(f"theta_{i}" for i in range(1, 7))
+
+
+def yaw_view() -> Any:
+    """The arm at soft home; Play rolls the shoulder, yaws with the tool pitch, and goes back."""
+    from ..arm_view import ArmView
+
+    steps = [[90, -90, 90, 0, 90, 0], [90, 0, 90, 0, 90, 0], [90, 0, 90, 0, 0, 0],
+             [90, 0, 90, 0, 180, 0], [90, 0, 90, 0, 90, 0]]
+    return ArmView(_ARM, poses=np.radians(steps), show=("frames", "labels", "axes"))
+
+
+# ---- Exercise 1: the table ----------------------------------------------------------------------
+
+
+def _pose(arm: Arm, *q: float) -> np.ndarray:
+    return kinematics.forward_kinematics(arm, q)
+
+
+def _table(**columns: Any) -> Callable:
+    """The tool's pose of the arm with some columns of its table replaced."""
+    links = [replace(link, **{name: float(column[i]) for name, column in columns.items()})
+             for i, link in enumerate(_ARM.links)]
+    return partial(_pose, replace(_ARM, links=links))
+
+
+_ALPHA, _A, _D = (np.array([getattr(link, name) for link in _ARM.links])
+                  for name in ("alpha", "a", "d"))
+_HOME = _ARM.home
+_TABLE_CASES = [dict(zip(_JOINTS, np.radians(q))) for q in
+                ([20, -30, 45, -60, 70, 10], [-100, 40, 15, 80, -35, 60],
+                 [75, 110, -20, 30, 5, -90])]
+_TABLE_SLIPS = [
+    ("alpha is in radians: write np.pi / 2 or np.radians(90).", _table(alpha=np.degrees(_ALPHA))),
+    ("All twists have the wrong sign: from z0 to z1 it is +90° about x1.", _table(alpha=-_ALPHA)),
+    ("The twist of row 5 is missing or wrong: z5, the tool roll, is perpendicular to z4.",
+     _table(alpha=_ALPHA * [1, 1, 1, 1, 0, 1])),
+    ("The twist of row 5 has the wrong sign.", _table(alpha=_ALPHA * [1, 1, 1, 1, -1, 1])),
+    ("The twist of row 2 is missing: the pitch axis z2 is perpendicular to the roll axis z1.",
+     _table(alpha=_ALPHA * [1, 0, 1, 1, 1, 1])),
+    ("The twist of row 2 has the wrong sign.", _table(alpha=_ALPHA * [1, -1, 1, 1, 1, 1])),
+    ("The tool is forgotten: d = 228.6 in row 6.", _table(d=_D * [1, 1, 1, 1, 1, 0])),
+    ("The tool lies along z, so 228.6 is a link offset d, not a link length a.",
+     _table(a=_A + [0, 0, 0, 0, 0, 228.6], d=_D * [1, 1, 1, 1, 1, 0])),
+    ("The column is forgotten: d = 373.4 in row 1.", _table(d=_D * [0, 1, 1, 1, 1, 1])),
+    ("The links lie along x, so 304.8 is a link length a, not a link offset d.",
+     _table(a=0 * _A, d=_D + [0, 0, 304.8, 304.8, 0, 0])),
+    ("The links stand one row too high: a = 304.8 belongs to rows 3 and 4.",
+     _table(a=np.roll(_A, -1))),
+    ("This table is right if it is read in the standard convention; yours says modified.",
+     partial(_pose, replace(_ARM, convention="modified"))),
+    ("The angles of soft home are values of q, not offsets theta in the table.",
+     _table(theta=_HOME)),
+]
+_SAME_TOOL = function(
+    partial(_pose, _ARM), _TABLE_CASES, slips=_TABLE_SLIPS,
+    entry=lambda index: f"row {index[0] + 1}, column {index[1] + 1} of the tool's pose",
+    praise="Your arm puts the tool where it belongs in every pose that was tried. Add a cell "
+           "with kl.ArmView(my_arm) and see it.")
+
+
+def _my_arm(answer: Any) -> str:
+    if is_stub(answer):
+        raise Blank("Replace the ... by kl.Arm([kl.revolute(...), ...]).")
+    if not isinstance(answer, Arm):
+        raise Wrong("Expected an arm, made with kl.Arm([kl.revolute(...), ...]).")
+    if answer.n != _ARM.n:
+        raise Wrong(f"Your arm has {answer.n} rows; the arm has six joints, so six rows.")
+    return _SAME_TOOL(partial(_pose, answer))
+
+
+# ---- Exercise 2: the wrist ----------------------------------------------------------------------
+
+
+def _wrist(t1: float, t2: float, t3: float, t4: float, *, height: float = 373.4,
+           forearm: Callable = lambda t3, t4: t3 + t4, forearm_length: float = 304.8,
+           side: int = 1) -> list[float]:
+    out = 304.8 * cos(t3) + forearm_length * cos(forearm(t3, t4))
+    along = 304.8 * sin(t3) + forearm_length * sin(forearm(t3, t4))
+    return [out * cos(t1) * cos(t2) + side * along * sin(t1),
+            out * sin(t1) * cos(t2) - side * along * cos(t1), height + out * sin(t2)]
+
+
+_WRIST_POINTS = [dict(zip(_JOINTS, q)) for q in
+                 ((0.3, -0.5, 0.8, -1.1), (-1.2, 0.9, 0.4, 0.7), (2.0, 0.2, -0.6, 1.5))]
+_WRIST_SLIPS = [
+    ("The forearm is forgotten: joint 4 swings a4 = 304.8.", partial(_wrist, forearm_length=0.0)),
+    ("The forearm is turned by theta_3 + theta_4, not by theta_4 alone.",
+     partial(_wrist, forearm=lambda t3, t4: t4)),
+    ("The forearm is turned by theta_3 + theta_4, not by theta_3 alone.",
+     partial(_wrist, forearm=lambda t3, t4: t3)),
+    ("The height of the shoulder, 373.4, is missing in w_z.", partial(_wrist, height=0.0)),
+    ("The sign of the part along v is wrong: v = (S1, -C1, 0).", partial(_wrist, side=-1)),
+    ("The components w_x and w_y have changed places.",
+     lambda *q: [_wrist(*q)[k] for k in (1, 0, 2)]),
+    ("This is in metres; the lengths are in millimetres.",
+     lambda *q: [part / 1000 for part in _wrist(*q)]),
+]
+
+# ---- Exercise 3: which joints -------------------------------------------------------------------
+
+_CHANGES = {"wrist": {1, 2, 3, 4}, "p_z": {2, 3, 4, 5}, "a": {1, 2, 3, 4, 5}}
+_HINTS = {
+    ("wrist", 4): "The elbow pitch swings the forearm, and the wrist is at its end.",
+    ("wrist", 5): "The wrist lies on the axis of joint 5.",
+    ("wrist", 6): "The wrist lies on the axis of joint 6.",
+    ("p_z", 1): "Joint 1 turns about the vertical.",
+    ("p_z", 2): "Bend the arm first; then roll the shoulder.",
+    ("p_z", 6): "The tip lies on the axis of joint 6.",
+    ("a", 2): "Bend the tool first; then roll the shoulder.",
+    ("a", 6): "The approach vector lies along the axis of joint 6.",
+}
+
+# ---- Exercise 4: yaw ----------------------------------------------------------------------------
+
+_WRIST_HOME, _LEFT = np.array([609.6, 0.0, 373.4]), np.array([cos(pi / 4), sin(pi / 4), 0.0])
+
+
+def _six_values(answer: Any) -> np.ndarray:
+    try:
+        q = kinematics.joint_values(_ARM, answer)
+    except ValueError as error:
+        raise Wrong(f"{error}.") from None
+    if q.ndim != 1:
+        raise Wrong("Hand over six joint values in one list.")
+    return q
+
+
+def _wrist_stays(q: np.ndarray) -> str:
+    away = float(np.linalg.norm(kinematics.link_frames(_ARM, q)[5, :3, 3] - _WRIST_HOME))
+    return f"The wrist is {away:.4g} mm away from (609.6, 0, 373.4)." if away > 0.1 else ""
+
+
+def _points_left(q: np.ndarray) -> str:
+    a = kinematics.forward_kinematics(_ARM, q)[:3, 2]
+    angle = degrees(np.arctan2(np.linalg.norm(np.cross(a, _LEFT)), a @ _LEFT))
+    return (f"The approach vector is ({a[0]:.3f}, {a[1]:.3f}, {a[2]:.3f}), {angle:.4g}° away from "
+            "45° to the left." if angle > 0.01 else "")
+
+
+def _meets(q: np.ndarray) -> bool:
+    return not (_wrist_stays(q) or _points_left(q))
+
+
+def _points_right(q: np.ndarray) -> bool:
+    a = kinematics.forward_kinematics(_ARM, q)[:3, 2]
+    return not _wrist_stays(q) and np.allclose(a, _LEFT * [1, -1, 1], atol=1e-4)
+
+
+_YAW_SLIPS = [
+    ("These numbers look like degrees: q is in radians, so write np.radians([...]).",
+     lambda q: _meets(np.radians(q)) or np.max(np.abs(q)) > 4 * pi),
+    ("It points 45° to the right; joint 5 turns the other way.", _points_right),
+    ("Without a roll of the shoulder the tool can only nod up and down.",
+     lambda q: not _wrist_stays(q) and abs(cos(q[1])) < 1e-6),
+    ("Turning the base swings the whole arm. The wrist has to stay.",
+     lambda q: not np.allclose(q[0], pi / 2)),
+]
+
+JUDGES: dict[str, Callable[[Any], str]] = {
+    "intelledex.1": _my_arm,
+    "intelledex.2": expressions(
+        ("w_x", "w_y", "w_z"), _wrist, _WRIST_POINTS,
+        constants={"d_1": 373.4, "a_3": 304.8, "a_4": 304.8}, slips=_WRIST_SLIPS,
+        praise="Four joints place the wrist of this arm."),
+    "intelledex.3": choices(
+        _CHANGES, set(range(1, 7)), _HINTS,
+        praise="The wrist needs four joints, so no three joints place it."),
+    "intelledex.4": joint_values(
+        _six_values, (_wrist_stays, _points_left), slips=_YAW_SLIPS,
+        praise="A pitch joint has yawed the tool, and the wrist has not moved."),
+}

@@ -1,0 +1,134 @@
+"""Lesson 00, start here: its view, its exercises' references and typical slips."""
+from __future__ import annotations
+
+from dataclasses import replace
+from math import cos, pi, radians, sin
+from typing import Any
+
+import numpy as np
+
+from .. import checks, kinematics, robots
+from ..arm_scene import arm_scene
+from ..arm_view import joint_knob
+from ..judging import choices, joint_values, values
+from ..live import LiveView
+from ..scene import LINE, TEXT, Item, Reading, Vector, at
+
+_ARM = robots.two_link()
+TARGET = np.array([cos(radians(20)) + cos(radians(80)), sin(radians(20)) + sin(radians(80))])
+NEAR = 0.02  # m
+
+# ---- View: the same arm, asked forwards and backwards ----------------------------------
+
+
+def reach_view() -> LiveView:
+    """The two-link arm and a target that its tip may reach."""
+    scene = arm_scene(_ARM)
+    (tip,), (target,), (start,) = at(scene.tip, (0, 0, 0)), at(0, (*TARGET, 0)), at(0, (0, 0, 0))
+    ring = [(*(TARGET + 0.1 * np.array([cos(t), sin(t)])), 0) for t in np.linspace(0, 2 * pi, 33)]
+    body, lift = len(scene.items), scene.radius
+    bare = tuple(item for item in scene.items if not item.layer)
+    extra = (Item("target", LINE, "z", at(0, *ring), body, lift=lift),
+             Item("target-name", TEXT, "z", at(0, (*(TARGET + [0.25, 0.16]), 0)), body + 1, "",
+                  "target", lift),
+             Item("gap", LINE, "dashed", (tip, target), body + 2, lift=lift))
+    readings = (Reading("p", "forward: the tip is at p = {} m", (Vector(start, tip),)),
+                Reading("gap", "inverse: still to go, target - p = {} m", (Vector(tip, target),)))
+    shown = replace(scene, items=bare + extra, readings=readings, presets={"top": (-90.0, 90.0)})
+    knobs = [replace(joint_knob(_ARM, i), home=radians(home)) for i, home in enumerate((-40, 60))]
+    return LiveView(shown, knobs, name="Two-link arm and a target")
+
+
+# ---- Exercise 1: forward or inverse? -----------------------------------------------------
+
+_QUESTIONS = {"forward": {1, 4, 5}, "inverse": {2, 3, 6}}
+_JOINTS_KNOWN = "Question {}: are the joint values given, or asked for?"
+_QUESTION_HINTS = {(name, k): _JOINTS_KNOWN.format(k) for name in _QUESTIONS for k in range(1, 7)}
+
+# ---- Exercise 2: units -------------------------------------------------------------------
+
+_Q = np.array([pi / 3, 0.25, 0.45])
+_UNIT_SLIPS = [
+    ("The angle is in degrees and the lengths are not in metres.", [60, 250, 45]),
+    ("The angle is still in degrees: use np.radians.", [60, 0.25, 0.45]),
+    ("The angle was converted the wrong way: np.degrees makes degrees of radians.",
+     [60 * 180 / pi, 0.25, 0.45]),
+    ("The lengths belong in the arm's unit, metres.", [pi / 3, 250, 45]),
+    ("250 mm is a quarter of a metre.", [pi / 3, 250, 0.45]),
+    ("250 mm is a quarter of a metre.", [pi / 3, 2.5, 0.45]),
+    ("45 cm is less than half a metre.", [pi / 3, 0.25, 45]),
+    ("45 cm is less than half a metre; a metre has 100 cm.", [pi / 3, 0.25, 0.045]),
+    ("The lengths are in millimetres; this arm's unit is the metre.", [pi / 3, 250, 450]),
+    ("The lengths have changed places: joint 2 lifts, joint 3 reaches.", [pi / 3, 0.45, 0.25]),
+]
+
+# ---- Exercise 3: three notations ----------------------------------------------------------
+
+_NOTATION_HINTS = {
+    ("same pose", 1): "In Robotics and Controls the upper index is the frame you look from.",
+    ("same pose", 2): "In Robotics and Controls the upper index is the frame you look from.",
+    ("same pose", 3): "In lecture 2.8 the lower index is the frame you look from.",
+    ("same pose", 4): "In lecture 2.8 the lower index is the frame you look from.",
+    ("same pose", 5): "With an index on each side, the upper left one is the frame you look from.",
+    ("same pose", 6): "kinlab writes the frame you look from first.",
+}
+
+# ---- Exercise 4: what fits together -------------------------------------------------------
+
+_PRODUCT_HINTS = {
+    ("meaningful", 1): "T_01 @ T_12: the inner indices are 1 and 1.",
+    ("meaningful", 2): "T_12 @ T_01: the inner indices are 2 and 0.",
+    ("meaningful", 3): "T_01 takes coordinates in frame 1. Which ones does p_0 hold?",
+    ("meaningful", 4): "T_02 takes coordinates in frame 2, and p_2 holds just those.",
+    ("meaningful", 5): "An inverse exchanges the two indices: what is the inverse of T_01?",
+    ("meaningful", 6): "First exchange the indices of T_21, then compare the inner ones.",
+}
+
+# ---- Exercise 5: two ways to reach --------------------------------------------------------
+
+
+def _two_ways(answer: Any) -> np.ndarray:
+    return checks.shaped("your answer", answer, (2, 2), "two pairs of joint values, shape (2, 2)")
+
+
+def _reaches(k: int, q: np.ndarray) -> str:
+    p = kinematics.forward_kinematics(_ARM, q[k])[:2, 3]
+    gap = np.linalg.norm(TARGET - p)
+    return "" if gap <= NEAR else (
+        f"Pair {k + 1} puts the tip at ({p[0] + 0.0:.3f}, {p[1] + 0.0:.3f}) m, {gap:.3f} m from "
+        f"the target; {NEAR} m is allowed.")
+
+
+def _elbows_differ(q: np.ndarray) -> str:
+    return "" if np.prod(np.sin(q[:, 1])) < 0 else (
+        "Both pairs reach the target, but in the same way. Bend the elbow to the other side.")
+
+
+_TWO_WAYS = (lambda q: _reaches(0, q), lambda q: _reaches(1, q), _elbows_differ)
+_WAY_SLIPS = [
+    ("These look like degrees: q is in radians, so write np.radians([...]).",
+     lambda q: not any(_reaches(k, np.radians(q)) for k in (0, 1))),
+    ("The pairs have to be rows: each holds θ₁ and θ₂.",
+     lambda q: not any(_reaches(k, q.T) for k in (0, 1))),
+    ("Only the sign of θ₂ has changed; θ₁ has to make up for it.",
+     lambda q: np.allclose(q[1], q[0] * [1, -1], atol=0.02)),
+]
+
+JUDGES = {
+    "start_here.1": choices(
+        _QUESTIONS, {1, 2, 3, 4, 5, 6}, _QUESTION_HINTS, noun="question",
+        praise="Joint values given: forward. Joint values asked for: inverse."),
+    "start_here.2": values(
+        _Q, entry=lambda index: f"q[{index[0]}]", slips=_UNIT_SLIPS,
+        praise="Radians for the revolute joint, metres for the two that slide."),
+    "start_here.3": choices(
+        {"same pose": {1, 3, 5, 6}}, {1, 2, 3, 4, 5, 6}, _NOTATION_HINTS, noun="symbol",
+        praise="Four ways to write one pose: where frame 2 is, seen from frame 1."),
+    "start_here.4": choices(
+        {"meaningful": {1, 4, 5, 6}}, {1, 2, 3, 4, 5, 6}, _PRODUCT_HINTS, noun="line",
+        praise="Neighbouring indices must agree. The last line is T_01 @ T_12 in disguise."),
+    "start_here.5": joint_values(
+        _two_ways, _TWO_WAYS, slips=_WAY_SLIPS,
+        praise="One position, two answers. Forward kinematics never has that trouble: each pair "
+               "of joint values has one tip."),
+}

@@ -1,0 +1,72 @@
+"""Answers to the Intelledex lesson's exercises: right, typically wrong, and not attempted."""
+from math import pi
+
+import numpy as np
+import sympy as sp
+
+import kinlab as kl
+
+t1, t2, t3, t4 = sp.symbols("theta_1 theta_2 theta_3 theta_4")
+R = pi / 2
+
+
+def arm(alpha=(R, R, 0, 0, R, 0), a=(0, 0, 304.8, 304.8, 0, 0), d=(373.4, 0, 0, 0, 0, 228.6),
+        theta=(0,) * 6, **options):
+    rows = zip(theta, d, a, alpha)
+    return kl.Arm([kl.revolute(theta=t, d=d, a=a, alpha=al) for t, d, a, al in rows], **options)
+
+
+def wrist(forearm=t3 + t4, length=304.8, height=373.4, side=1):
+    out = 304.8 * sp.cos(t3) + length * sp.cos(forearm)
+    along = 304.8 * sp.sin(t3) + length * sp.sin(forearm)
+    return [out * sp.cos(t1) * sp.cos(t2) + side * along * sp.sin(t1),
+            out * sp.sin(t1) * sp.cos(t2) - side * along * sp.cos(t1), height + out * sp.sin(t2)]
+
+
+RIGHT = {
+    "intelledex.1": arm(),
+    "intelledex.2": wrist(),
+    "intelledex.3": [{1, 2, 3, 4}, {2, 3, 4, 5}, {1, 2, 3, 4, 5}],
+    "intelledex.4": np.radians([90, 0, 90, 0, 45, 0]),
+}
+
+# (exercise, answer, words of the message)
+WRONG = [
+    ("intelledex.1", arm(alpha=(90, 90, 0, 0, 90, 0)), "radians"),
+    ("intelledex.1", arm(alpha=(-R, -R, 0, 0, -R, 0)), "All twists"),
+    ("intelledex.1", arm(alpha=(R, R, 0, 0, 0, 0)), "row 5 is missing"),
+    ("intelledex.1", arm(alpha=(R, R, 0, 0, -R, 0)), "row 5 has the wrong sign"),
+    ("intelledex.1", arm(alpha=(R, 0, 0, 0, R, 0)), "row 2 is missing"),
+    ("intelledex.1", arm(alpha=(R, -R, 0, 0, R, 0)), "row 2 has the wrong sign"),
+    ("intelledex.1", arm(d=(373.4, 0, 0, 0, 0, 0)), "tool is forgotten"),
+    ("intelledex.1", arm(a=(0, 0, 304.8, 304.8, 0, 228.6), d=(373.4, 0, 0, 0, 0, 0)), "along z"),
+    ("intelledex.1", arm(d=(0, 0, 0, 0, 0, 228.6)), "column is forgotten"),
+    ("intelledex.1", arm(a=(0,) * 6, d=(373.4, 0, 304.8, 304.8, 0, 228.6)), "along x"),
+    ("intelledex.1", arm(a=(0, 304.8, 304.8, 0, 0, 0)), "one row too high"),
+    ("intelledex.1", arm(convention="modified"), "yours says modified"),
+    ("intelledex.1", arm(theta=np.radians([90, -90, 90, 0, 90, 0])), "not offsets"),
+    ("intelledex.1", arm(d=(373.4, 0, 0, 0, 0, 200)), "row 1, column 4"),
+    ("intelledex.1", kl.robots.alpha_ii(), "5 rows"),
+    ("intelledex.1", [[0, 373.4, 0, 90]] * 6, "Expected an arm"),
+    ("intelledex.2", wrist(length=0), "forearm is forgotten"),
+    ("intelledex.2", wrist(forearm=t4), "not by theta_4 alone"),
+    ("intelledex.2", wrist(forearm=t3), "not by theta_3 alone"),
+    ("intelledex.2", wrist(height=0), "height of the shoulder"),
+    ("intelledex.2", wrist(side=-1), "along v"),
+    ("intelledex.2", [wrist()[k] for k in (1, 0, 2)], "changed places"),
+    ("intelledex.2", [part / 1000 for part in wrist()], "millimetres"),
+    ("intelledex.2", [*wrist()[:2], sp.Symbol("theta_5")], "theta_5"),
+    ("intelledex.3", [{1, 2, 3}, {2, 3, 4, 5}, {1, 2, 3, 4, 5}], "swings the forearm"),
+    ("intelledex.3", [{1, 2, 3, 4, 5}, {2, 3, 4, 5}, {1, 2, 3, 4, 5}], "axis of joint 5"),
+    ("intelledex.3", [{1, 2, 3, 4}, {1, 2, 3, 4, 5}, {1, 2, 3, 4, 5}], "about the vertical"),
+    ("intelledex.3", [{1, 2, 3, 4}, {2, 3, 4, 5}, {1, 3, 4, 5}], "one is missing"),
+    ("intelledex.4", [90, 0, 90, 0, 45, 0], "np.radians"),
+    ("intelledex.4", np.radians([90, 0, 90, 0, 135, 0]), "to the right"),
+    ("intelledex.4", np.radians([90, -90, 90, 0, 45, 0]), "only nod"),
+    ("intelledex.4", np.radians([135, -90, 90, 0, 90, 0]), "whole arm"),
+    ("intelledex.4", np.radians([90, 0, 60, 0, 45, 0]), "mm away"),
+    ("intelledex.4", [0, 0, 0], "expected shape (..., 6)"),
+]
+
+STUBS = [("intelledex.1", ...), ("intelledex.2", [..., ..., ...]), ("intelledex.3", ...),
+         ("intelledex.4", ...)]

@@ -1,0 +1,155 @@
+"""Answers to the exercises of Practical 3: right, typically wrong, and not attempted."""
+from math import atan2, cos, hypot, pi
+
+import numpy as np
+import textbook
+
+import kinlab as kl
+
+
+def link_matrix(alpha, a, d, theta):
+    return textbook.modified(theta, d, a, alpha)
+
+
+def forward(table, tool, link=link_matrix):
+    T = np.eye(4)
+    for row in table:
+        T = T @ link(*row)
+    return T, (T @ [*tool, 1])[:3]
+
+
+ALPHA, A, D = [0, 90, 0, -90, 90, -90], [0, 0, 0.5, 0, 0, 0], [0, -0.5, 0, 1, 0, 0]
+
+
+def six(alpha=ALPHA, a=A, d=D, theta=(0,) * 6, tool=(0, 0, 1), convention="modified",
+        turn=np.radians):
+    rows = zip(turn(alpha), a, d, np.radians(theta))
+    links = [kl.revolute(alpha=al, a=a_i, d=d_i, theta=t) for al, a_i, d_i, t in rows]
+    return kl.Arm(links, convention=convention, tool=kl.translation(tool))
+
+
+def zyz(R):
+    s = hypot(R[0, 2], R[1, 2])
+    return [[atan2(R[1, 2], R[0, 2]), atan2(s, R[2, 2]), atan2(R[2, 1], -R[2, 0])],
+            [atan2(-R[1, 2], -R[0, 2]), atan2(-s, R[2, 2]), atan2(-R[2, 1], R[2, 0])]]
+
+
+RIGHT = {
+    "n_link.1": link_matrix,
+    "n_link.2": forward,
+    "n_link.3": six(),
+    "n_link.4": zyz,
+    "n_link.5": np.radians([0, 90, -50, 0, -40, 0]),
+}
+
+
+def turned(function):
+    return lambda *row: function(link_matrix(*row))
+
+
+def with_entry(row, column, value):
+    def link(alpha, a, d, theta):
+        T = link_matrix(alpha, a, d, theta)
+        T[row, column] = value(alpha, d, theta)
+        return T
+    return link
+
+
+def degrees_again(alpha, a, d, theta):
+    return link_matrix(np.radians(alpha), a, d, np.radians(theta))
+
+
+def standard(alpha, a, d, theta):
+    return textbook.standard(theta, d, a, alpha)
+
+
+def as_printed(table, tool):
+    T = np.eye(4)
+    for k, row in enumerate(table):
+        A = link_matrix(*row)
+        A[2, 2] = cos(table[k + 1][0]) if k + 1 < len(table) else 1
+        T = T @ A
+    return T, (T @ [*tool, 1])[:3]
+
+
+def reversed_chain(table, tool):
+    return forward(table[::-1], tool)
+
+
+def printed_zyz(R):
+    first, second = zyz(R)
+    return [first, [*second[:2], atan2(-R[1, 2], R[2, 0])]]
+
+
+def same_psi(R):
+    first, second = zyz(R)
+    return [first, [*second[:2], first[2]]]
+
+
+def unsigned(R):
+    first, second = zyz(R)
+    return [[*first[:2], atan2(R[2, 1], R[2, 0])], second]
+
+
+# (exercise, answer, words of the message)
+WRONG = [
+    ("n_link.1", standard, "standard link matrix"),
+    ("n_link.1", degrees_again, "radians"),
+    ("n_link.1", textbook.modified, "order of the table"),
+    ("n_link.1", lambda al, a, d, t: link_matrix(al, d, a, t), "changed places"),
+    ("n_link.1", turned(np.transpose), "transpose"),
+    ("n_link.1", turned(np.linalg.inv), "inverse"),
+    ("n_link.1", lambda al, a, d, t: link_matrix(-al, a, d, t), "sign of alpha"),
+    ("n_link.1", lambda al, a, d, t: link_matrix(al, a, d, -t), "sign of theta"),
+    ("n_link.1", with_entry(2, 2, lambda al, d, t: cos(t)), "not of theta"),
+    ("n_link.1", lambda al, a, d, t: link_matrix(al, a, 0, t) + d * np.eye(4)[[2]].T
+     @ np.eye(4)[[3]], "rows 2 and 3"),
+    ("n_link.1", turned(lambda T: T[:3]), "shape (4, 4), got (3, 4)"),
+    ("n_link.1", np.eye(4), "Expected a function"),
+    ("n_link.2", lambda table, tool: forward(table, [0, 0, 0]), "tool vector is forgotten"),
+    ("n_link.2", lambda table, tool: (forward(table, tool)[0],
+                                      forward(table, [0, 0, 0])[1] + tool), "turn it by R"),
+    ("n_link.2", lambda table, tool: forward(table, tool, standard), "table is modified"),
+    ("n_link.2", lambda table, tool: forward(table, tool, degrees_again), "radians"),
+    ("n_link.2", as_printed, "the hint as printed"),
+    ("n_link.2", reversed_chain, "reverse order"),
+    ("n_link.2", lambda table, tool: forward(table[:-1], tool), "last link is missing"),
+    ("n_link.2", lambda table, tool: forward(table[1:], tool), "first link is missing"),
+    ("n_link.2", lambda table, tool: forward(table, tool)[0], "return T, p"),
+    ("n_link.2", lambda table, tool: forward(table, tool)[::-1], "T of shape (4, 4)"),
+    ("n_link.2", lambda table, tool: (forward(table, tool)[0], forward(table, tool)[1] + 1),
+     "x of p_E should be"),
+    ("n_link.2", forward([[0, 0, 0, 0]], [0, 0, 0]), "Expected a function"),
+    ("n_link.3", six(convention="standard"), 'convention="modified"'),
+    ("n_link.3", six(tool=(0, 0, 0)), "tool is forgotten"),
+    ("n_link.3", six(tool=(1, 0, 0)), "not along x6"),
+    ("n_link.3", six(tool=(0, 0, 0), d=[0, -0.5, 0, 1, 0, 1]), "stands in no row"),
+    ("n_link.3", six(d=np.abs(D)), "-d2"),
+    ("n_link.3", six(turn=np.array), "alpha is in radians"),
+    ("n_link.3", six(alpha=-np.array(ALPHA)), "all turned round"),
+    ("n_link.3", six(alpha=np.roll(ALPHA, -1), a=np.roll(A, -1)), "one row too high"),
+    ("n_link.3", six(theta=[0, 90, -90, 0, 0, 0]), "not offsets"),
+    ("n_link.3", kl.robots.two_link(), "has 2 links"),
+    ("n_link.3", "arm", "Expected an arm"),
+    ("n_link.4", printed_zyz, "the printed atan2(-r23, r31)"),
+    ("n_link.4", same_psi, "turn round"),
+    ("n_link.4", unsigned, "minus is missing"),
+    ("n_link.4", lambda R: np.degrees(zyz(R)), "leave them in radians"),
+    ("n_link.4", lambda R: zyz(R)[::-1], "comes first"),
+    ("n_link.4", lambda R: zyz(R.T), "transpose"),
+    ("n_link.4", lambda R: np.array(zyz(R))[:, ::-1], "phi and psi have changed places"),
+    ("n_link.4", lambda R: zyz(R)[0], "shape (2, 3), got (3,)"),
+    ("n_link.5", [0, 90, -50, 0, -40, 0], "np.radians"),
+    ("n_link.5", np.radians([0, 90, -50, 0, 40, 0]), "sign of theta_5"),
+    ("n_link.5", np.radians([0, 90, 50, 0, 40, 0]), "straight down"),
+    ("n_link.5", np.radians([0, 90, -90, 0, 0, 0]), "lean the forearm"),
+    ("n_link.5", np.radians([0, 90, -80, 0, -10, 0]), "bends the wrist by 10"),
+    ("n_link.5", np.radians([0, 90, -50, 0, -60, 0]), "20° away"),
+    ("n_link.5", [0, pi, 0], "expected shape (..., 6)"),
+    ("n_link.5", [[0] * 6], "six joint values"),
+]
+
+STUBS = [("n_link.1", ...), ("n_link.1", lambda alpha, a, d, theta: ...),
+         ("n_link.2", None), ("n_link.2", lambda table, tool: ...),
+         ("n_link.2", lambda table, tool: None), ("n_link.3", ...), ("n_link.3", None),
+         ("n_link.4", lambda R: ...), ("n_link.4", ...), ("n_link.5", ...)]
