@@ -143,7 +143,7 @@ def rotation_vectors(R: np.ndarray) -> np.ndarray:
     cos, sin = 0.5 * (R[0, 0] + R[1, 1] + R[2, 2] - 1), np.sqrt(np.sum(v * v, axis=0))
     angle = np.arctan2(sin, cos)
     vectors = v * np.where(sin > 1e-9, angle / np.maximum(sin, 1e-9), 1)
-    half = cos < -0.9  # here v fades, but the symmetric part of R shows the axis
+    half = cos < -0.9999  # here v fades, but the symmetric part of R shows the axis
     if half.any():
         vectors[:, half] = angle[half] * _axes_of_half_turns(R[..., half], v[:, half])
     return vectors
