@@ -2,6 +2,7 @@
 from __future__ import annotations
 
 import importlib
+import os
 import platform
 import statistics
 import sys
@@ -49,9 +50,9 @@ def progress(text: str = "") -> None:
 
 
 def header(title: str, *packages: str) -> None:
-    """The title, and what it was measured with."""
+    """The title, what it was measured with, and how busy the machine is with other work."""
     found = ", ".join(f"{name} {_version(name)}" for name in ("kinlab", "numpy", *packages))
-    print(f"{title}\nPython {platform.python_version()}, {found}\n")
+    print(f"{title}\nPython {platform.python_version()}, {found}\n{_load()}\n")
 
 
 def table(head: Sequence[str], rows: Sequence[Sequence]) -> None:
@@ -89,6 +90,12 @@ def _version(package: str) -> str:
         return metadata.version(package)
     except metadata.PackageNotFoundError:
         return NOT_INSTALLED
+
+
+def _load() -> str:
+    """The processes that wanted to run in the last minute: above the cores, milliseconds lie."""
+    load = f"load {os.getloadavg()[0]:.1f}" if hasattr(os, "getloadavg") else "load unknown"
+    return f"{load} on {os.cpu_count()} cores"
 
 
 def _cell(value: object) -> str:

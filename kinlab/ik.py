@@ -18,7 +18,7 @@ from .kinematics import forward_kinematics
 from .pose_error import Task
 from .solve import RESTARTS, STEPS, Solve, Step
 
-BATCH = 2048  # targets worked on at a time: bounds the memory
+BATCH = 4096  # targets worked on at a time: bounds the memory
 
 
 @dataclass(frozen=True, eq=False)

@@ -128,22 +128,26 @@ def jacobian(arm: Arm, q: Any) -> np.ndarray:
     return J
 
 
-def tool_and_twists(motions: Iterable[Motion], q: Sequence, frame: Frame | None = None
-                    ) -> tuple[Frame, list[tuple]]:
+def tool_and_twists(motions: Iterable[Motion], q: Sequence) -> tuple[Frame, list[tuple]]:
     """The frame at the end of the motions, and the twist (v, w) that each joint gives it.
 
-    Components are floats, arrays or sympy expressions, as the joint values are. Twists are in
-    the axes in which `frame`, where the motions begin, is given.
+    Components are floats, arrays or sympy expressions, as the joint values are.
     """
+    tool, joints = tool_and_joints(motions, q)
+    return tool, [(*_cross(z, tuple(map(_minus, tool.origin, o))), *z) if kind == ROTATE
+                  else (*z, 0, 0, 0) for kind, z, o in joints]
+
+
+def tool_and_joints(motions: Iterable[Motion], q: Sequence, frame: Frame | None = None
+                    ) -> tuple[Frame, list[tuple]]:
+    """The frame at the end of the motions, and each joint's kind, axis and a point on it."""
     frame, joints = frame or Frame(), []
     for motion in motions:
         frame = frame.moved(motion, q)
         if motion.joint is not None:
             axes = frame.axes if frame.about == motion.axis else frame.settled()
             joints.append((motion.kind, axes[motion.axis], frame.origin))
-    tool = frame.origin
-    return frame, [(*_cross(z, tuple(map(_minus, tool, o))), *z) if kind == ROTATE
-                   else (*z, 0, 0, 0) for kind, z, o in joints]
+    return frame, joints
 
 
 def reach(arm: Arm) -> float:

@@ -6,7 +6,6 @@ with radians. Arrays keep their last axis for the places, called m.
 """
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import chain
@@ -14,7 +13,7 @@ from itertools import chain
 import numpy as np
 
 from .arm import REVOLUTE, Arm
-from .kinematics import joint_limits, joint_ranges, reach, tool_and_twists, typical_length
+from .kinematics import joint_limits, joint_ranges, reach, tool_and_joints, typical_length
 from .motions import Frame
 
 AIM = 0.99  # of the tolerance, so that rounding does not undo what was reached
@@ -102,14 +101,14 @@ class Task:
 
         `view`, shape (4, 3, m), is the room as the targets see it: its axes and its origin.
         """
-        tool, twists = tool_and_twists(self.motions, q, Frame(tuple(map(tuple, view[:3])),
-                                                              tuple(view[3])))
-        e, J = np.empty((6, q.shape[1])), np.empty((self.arm.n, 6, q.shape[1]))
-        _fill(e[:3], tool.origin)
-        for column, twist in zip(J, twists):
-            _fill(column, twist)
+        tool, joints = tool_and_joints(self.motions, q, _vectors(view))
+        J, e = np.zeros((self.arm.n, 6, q.shape[1])), np.empty((6, q.shape[1]))
+        (e[:3],), z = tool.origin, np.array([axis for _, (axis,), _ in joints])
+        lever = e[:3] - np.array([point for *_, (point,) in joints])
+        J[:, :3] = np.where(self.revolute[:, None], _cross(z, lever), z)
+        J[:, 3:] = self.revolute[:, None] * z
         if self.turns:
-            e[3:] = rotation_vectors(tool.settled())
+            e[3:] = rotation_vectors(np.array([axis for (axis,) in tool.settled()]))
         if self.lopsided:
             J[:, 3:] = _rates(e[3:], J[:, 3:])
         return J[:, self.rows] * self.scale, e[self.rows] * self.scale
@@ -138,17 +137,15 @@ def seen_from(targets: np.ndarray) -> np.ndarray:
     return np.ascontiguousarray(np.concatenate([R, origin[:, None]], axis=1).transpose(1, 2, 0))
 
 
-def rotation_vectors(axes: Sequence) -> np.ndarray:
-    """Axis times angle (3, m) of rotations given by their axes; also where the angle nears pi."""
-    n, s, a = axes
-    v = 0.5 * np.array([s[2] - a[1], a[0] - n[2], n[1] - s[0]])
-    cos, sin = 0.5 * (n[0] + s[1] + a[2] - 1), np.sqrt(np.sum(v * v, axis=0))
+def rotation_vectors(R: np.ndarray) -> np.ndarray:
+    """Axis times angle (3, m) of rotations given by axes (3, 3, m); also where it nears pi."""
+    v = 0.5 * np.stack([R[1, 2] - R[2, 1], R[2, 0] - R[0, 2], R[0, 1] - R[1, 0]])
+    cos, sin = 0.5 * (R[0, 0] + R[1, 1] + R[2, 2] - 1), np.sqrt(np.sum(v * v, axis=0))
     angle = np.arctan2(sin, cos)
     vectors = v * np.where(sin > 1e-9, angle / np.maximum(sin, 1e-9), 1)
-    half = cos < -0.9  # here v fades, but the symmetric part of R shows the axis
+    half = cos < -0.9999  # here v fades, but the symmetric part of R shows the axis
     if half.any():
-        R = np.array(axes)[..., half]  # columns and rows swapped, which that part does not mind
-        vectors[:, half] = angle[half] * _axes_of_half_turns(R, v[:, half])
+        vectors[:, half] = angle[half] * _axes_of_half_turns(R[..., half], v[:, half])
     return vectors
 
 
@@ -173,11 +170,13 @@ def _rates(v: np.ndarray, w: np.ndarray) -> np.ndarray:
     return w - 0.5 * first + b * _cross(v, first)
 
 
-def _cross(v: np.ndarray, w: np.ndarray) -> np.ndarray:
-    return np.stack([v[i] * w[:, j] - v[j] * w[:, i] for i, j in ((1, 2), (2, 0), (0, 1))], axis=1)
+def _cross(u: np.ndarray, v: np.ndarray) -> np.ndarray:
+    """Cross products of vectors (..., 3, m)."""
+    return np.stack([u[..., i, :] * v[..., j, :] - u[..., j, :] * v[..., i, :]
+                     for i, j in ((1, 2), (2, 0), (0, 1))], axis=-2)
 
 
-def _fill(out: np.ndarray, components: Sequence) -> None:
-    """Write components that are arrays, or numbers that hold for every place."""
-    for row, component in zip(out, components):
-        row[:] = component
+def _vectors(view: np.ndarray) -> Frame:
+    """A frame whose axes and origin have one component: a whole vector, shape (3, m)."""
+    x, y, z, origin = view
+    return Frame(((x,), (y,), (z,)), (origin,))

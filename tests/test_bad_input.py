@@ -32,6 +32,11 @@ def solve_all(targets=POSE[None], **options):
     return kl.inverse_kinematics_batch(ARM, targets, **{"restarts": 2, "steps": 9, **options})
 
 
+def few(samples):
+    """Whole numbers that are not too many to wait for."""
+    return 1 + samples % 99 if isinstance(samples, int) and 0 < samples < 10**9 else samples
+
+
 # Every argument of every public function, with a call that puts a value in its place.
 NUMBERS = {
     "kl.revolute theta": lambda x: kl.revolute(theta=x),
@@ -91,6 +96,10 @@ OTHERS = {
     "kl.rank arm": lambda x: kl.rank(x, [0]),
     "kl.singular_directions arm": lambda x: kl.singular_directions(x, [0]),
     "kl.jacobian_form arm": kl.jacobian_form,
+    "kl.workspace arm": kl.workspace,
+    "kl.density_picture reached": kl.density_picture,
+    "kl.envelope_picture reached": kl.envelope_picture,
+    "kl.slice_picture reached": kl.slice_picture,
     "kl.inverse_kinematics arm": lambda x: kl.inverse_kinematics(x, [0, 0, 0]),
     "kl.inverse_kinematics_batch arm": lambda x: kl.inverse_kinematics_batch(x, [[0, 0, 0]]),
     "kl.Arm links": kl.Arm,
@@ -122,6 +131,8 @@ FRAMES = {
     "kl.closed_form stop": lambda x: kl.closed_form(ONE, 0, x),
 }
 COUNTS = {
+    "kl.workspace samples": lambda x: kl.workspace(ARM, few(x)).points,
+    "kl.workspace seed": lambda x: kl.workspace(ARM, 9, seed=x).points,
     "kl.inverse_kinematics restarts": lambda x: solve(restarts=x),
     "kl.inverse_kinematics seed": lambda x: solve(seed=x),
     "kl.inverse_kinematics steps": lambda x: solve(steps=x),
@@ -279,7 +290,7 @@ def test_anything_is_computed_or_refused_in_one_sentence(call, value):
 
 
 def test_every_public_function_is_listed_here():
-    elsewhere = {"ArmView", "ClosedForm", "InverseBatch", "InverseResult", "exercises",
+    elsewhere = {"ArmView", "ClosedForm", "InverseBatch", "InverseResult", "Workspace", "exercises",
                  "parse_number", "robots"}
     listed = {call.split()[0].removeprefix("kl.") for call in EVERY}
     assert set(kl.__all__) - elsewhere <= listed
