@@ -33,8 +33,8 @@ MATHEMATICS = {
     "robots": {"numpy", "arm"},
     "__init__": set(),
 }
-DRAWING = ("scene", "arm_scene", "draw", "link_view", "workspace_plots")
-VIEWS = ("live", "arm_view", "sketch")
+DRAWING = ("scene", "arm_scene", "draw", "workspace_plots")
+VIEWS = ("live", "arm_view", "sketch", "link_view")
 WIDGETS = {"ipywidgets", "anywidget", "traitlets", "IPython"}
 
 
