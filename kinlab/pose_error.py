@@ -30,7 +30,7 @@ class Task:
 
     @cached_property
     def motions(self) -> tuple:
-        return tuple(chain(*self.arm.chain))
+        return tuple(motion for motion in chain(*self.arm.chain) if not motion.idle)
 
     @cached_property
     def rows(self) -> slice | np.ndarray:

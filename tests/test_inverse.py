@@ -10,6 +10,7 @@ from test_kinematics import COURSE, course
 from textbook import frames, rigid, turn
 
 import kinlab as kl
+from kinlab.descent import Lanes, Search
 from kinlab.kinematics import reach
 from kinlab.pose_error import Task, rotation_vectors, seen_from
 
@@ -309,6 +310,33 @@ def test_weights_say_what_counts():
     light, heavy = (kl.inverse_kinematics(arm, [2, 2, 0], weights=[w, 1, 0]).pose[0, 3]
                     for w in (0.2, 5))
     assert light < 1.2 and heavy > 1.7
+
+
+def test_the_best_of_several_starts_is_kept():
+    arm = kl.robots.two_link()
+    found = Search(Task(arm, np.ones(6), 1e-6), seen_from(np.eye(4)[None]), np.zeros((2, 1)), 0, 0)
+    q = np.array([[1.0, 2, 3, 4], [5, 6, 7, 8]])
+    lanes = Lanes.begin(np.zeros(4, int), np.arange(4), found.views[..., [0] * 4], q)
+    lanes.best_error = np.array([3.0, 1, 2, 9])
+    found.note(lanes, np.zeros(4, bool))
+    assert found.name[0] == 1 and found.error[0] == 1 and found.q[:, 0].tolist() == [2, 6]
+    found.note(lanes, np.array([False, False, False, True]))
+    assert found.reached[0] and found.q[:, 0].tolist() == [4, 8]
+
+
+@given(arms(most=6), st.integers(0, 10**6))
+def test_nothing_is_beyond_the_reach(arm, seed):
+    if any(link.kind == "prismatic" for link in arm.links):
+        assert reach(arm) == np.inf
+    else:
+        q = np.random.default_rng(seed).uniform(-pi, pi, arm.n)
+        distance = np.linalg.norm(tool(arm, q)[:3, 3] - arm.base[:3, 3])
+        assert distance <= reach(arm) * (1 + 1e-9) + 1e-9
+
+
+def test_reach_of_links_and_slides():
+    assert reach(kl.Arm([kl.revolute(a=3, d=4)])) == 5
+    assert reach(kl.Arm([kl.prismatic(a=3, d=1, limits=(-5, 2))])) == 5
 
 
 def test_the_same_seed_gives_the_same_result():
