@@ -2,6 +2,7 @@
 from __future__ import annotations
 
 import math
+from numbers import Integral
 from typing import Any
 
 import numpy as np
@@ -9,6 +10,7 @@ import numpy as np
 RIGID_TOLERANCE = 1e-6
 # Far beyond any arm; products of three such numbers are still finite.
 LARGEST = 1e100
+MOST = 10**9
 
 
 def real_array(name: str, value: Any, expected: str) -> np.ndarray:
@@ -47,6 +49,21 @@ def number(name: str, value: Any) -> float:
     return float(array)
 
 
+def positive(name: str, value: Any) -> float:
+    """One finite number above zero."""
+    if not (result := number(name, value)) > 0:
+        raise ValueError(f"{name}: expected a number above zero, got {result:g}")
+    return result
+
+
+def whole(name: str, value: Any, least: int) -> int:
+    """A whole number, not below the least and not beyond all use."""
+    if not isinstance(value, Integral) or not least <= value <= MOST:
+        raise ValueError(f"{name}: expected a whole number from {least} to {MOST}, "
+                         f"got {brief(value)}")
+    return int(value)
+
+
 def rotation(name: str, value: Any) -> np.ndarray:
     """A proper rotation, 2x2 or 3x3: columns of length 1, perpendicular, right-handed."""
     matrix = real_array(name, value, "a rotation matrix")
@@ -65,11 +82,17 @@ def rotation(name: str, value: Any) -> np.ndarray:
 
 def rigid(name: str, value: Any) -> np.ndarray:
     """A rigid 4x4 homogeneous matrix: a rotation, an origin and the row 0 0 0 1."""
-    matrix = shaped(name, value, (4, 4), "a 4x4 homogeneous matrix")
-    rotation(f"{name}[:3, :3]", matrix[:3, :3])
-    if np.any(np.abs(matrix[3] - [0, 0, 0, 1]) > RIGID_TOLERANCE):
-        raise ValueError(f"{name}: expected the last row 0 0 0 1, got {matrix[3].tolist()}")
-    return matrix
+    return rigids(name, shaped(name, value, (4, 4), "a 4x4 homogeneous matrix"))
+
+
+def rigids(name: str, matrices: np.ndarray) -> np.ndarray:
+    """Rigid homogeneous matrices, shape (..., 4, 4)."""
+    rotation(f"{name}[:3, :3]", matrices[..., :3, :3])
+    off = np.any(np.abs(matrices[..., 3, :] - [0, 0, 0, 1]) > RIGID_TOLERANCE, axis=-1)
+    if np.any(off):
+        raise ValueError(f"{name}: expected the last row 0 0 0 1, "
+                         f"got {matrices[off][0, 3].tolist()}")
+    return matrices
 
 
 def choice(name: str, value: Any, options: tuple[str, ...]) -> str:

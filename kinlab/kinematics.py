@@ -1,15 +1,16 @@
 """Forward kinematics: frames, the tool's pose and the Jacobian, for one pose or a million."""
 from __future__ import annotations
 
-from collections.abc import Sequence
+import math
+from collections.abc import Iterable, Sequence
 from itertools import chain
 from typing import Any
 
 import numpy as np
 
 from . import checks
-from .arm import REVOLUTE, Arm, _check_arm
-from .motions import Frame, Motion, along, matrix
+from .arm import REVOLUTE, Arm, Link, _check_arm
+from .motions import ROTATE, Frame, Motion, _product, along, matrix, stack
 
 # Poses worked on at a time, so that all components of a frame stay in the processor's cache.
 CHUNK = 4096
@@ -113,12 +114,70 @@ def jacobian(arm: Arm, q: Any) -> np.ndarray:
            [2., 1.]])
     """
     q = joint_values(arm, q)
-    frames = _matrices(arm.chain, q)
-    joints = frames[..., axis_frames(arm), :, :]
-    z, lever = joints[..., :3, 2], frames[..., -1:, :3, 3] - joints[..., :3, 3]
-    turns = np.array([link.kind == REVOLUTE for link in arm.links])[:, None]
-    columns = np.concatenate([np.where(turns, np.cross(z, lever), z), np.where(turns, z, 0)], -1)
-    return np.swapaxes(columns, -1, -2)
+    motions = tuple(chain(*arm.chain))
+    if q.ndim == 1:
+        return stack([*zip(*tool_and_twists(motions, q.tolist())[1])])
+    J = np.empty((*q.shape[:-1], 6, arm.n))
+    flat, out = q.reshape(-1, arm.n), J.reshape(-1, 6, arm.n)
+    for start in range(0, len(flat), CHUNK):
+        part = slice(start, start + CHUNK)
+        columns = np.ascontiguousarray(flat[part].T)
+        for i, twist in enumerate(tool_and_twists(motions, columns)[1]):
+            for row, component in enumerate(twist):
+                out[part, row, i] = component
+    return J
+
+
+def tool_and_twists(motions: Iterable[Motion], q: Sequence) -> tuple[Frame, list[tuple]]:
+    """The frame at the end of the motions, and the twist (v, w) that each joint gives it.
+
+    Components are floats, arrays or sympy expressions, as the joint values are.
+    """
+    tool, joints = tool_and_joints(motions, q)
+    return tool, [(*_cross(z, tuple(map(_minus, tool.origin, o))), *z) if kind == ROTATE
+                  else (*z, 0, 0, 0) for kind, z, o in joints]
+
+
+def tool_and_joints(motions: Iterable[Motion], q: Sequence, frame: Frame | None = None
+                    ) -> tuple[Frame, list[tuple]]:
+    """The frame at the end of the motions, and each joint's kind, axis and a point on it."""
+    frame, joints = frame or Frame(), []
+    for motion in motions:
+        frame = frame.moved(motion, q)
+        if motion.joint is not None:
+            axes = frame.axes if frame.about == motion.axis else frame.settled()
+            joints.append((motion.kind, axes[motion.axis], frame.origin))
+    return frame, joints
+
+
+def reach(arm: Arm) -> float:
+    """No pose puts the tool farther than this from the base: links and slides laid end to end.
+
+    Infinite if a prismatic joint has no limits.
+    """
+    _check_arm(arm)
+    links = sum(math.hypot(link.a, _longest(link)) for link in arm.links)
+    return links + float(np.linalg.norm(arm.tool[:3, 3]))
+
+
+def typical_length(arm: Arm) -> float:
+    """The length beside which a turn by one radian counts: the reach, if that is a length."""
+    length = reach(arm)
+    return length if 0 < length < math.inf else 1.0
+
+
+def joint_limits(arm: Arm) -> tuple[np.ndarray, np.ndarray]:
+    """Lowest and highest joint values, shape (n,); infinite where a joint has no limits."""
+    pairs = [link.limits or (-math.inf, math.inf) for link in arm.links]
+    low, high = np.array(pairs).T
+    return low, high
+
+
+def joint_ranges(arm: Arm, slide: float) -> tuple[np.ndarray, np.ndarray]:
+    """Limits, with half a turn, or `slide`, to either side in place of those that are missing."""
+    rooms = (math.pi if link.kind == REVOLUTE else slide for link in arm.links)
+    low, high = np.array([link.limits or (-room, room) for link, room in zip(arm.links, rooms)]).T
+    return low, high
 
 
 def axis_frames(arm: Arm) -> list[int]:
@@ -146,3 +205,21 @@ def _write(frame: Frame, out: np.ndarray) -> None:
         for i, component in enumerate(column):
             out[:, i, j] = component
     out[:, 3] = 0, 0, 0, 1
+
+
+def _longest(link: Link) -> float:
+    """The largest link offset, whatever the joint does."""
+    if link.kind == REVOLUTE:
+        return abs(link.d)
+    return max(abs(link.d + end) for end in link.limits) if link.limits else math.inf
+
+
+def _minus(a: Any, b: Any) -> Any:
+    if type(b) is int and b == 0:
+        return a
+    return -b if type(a) is int and a == 0 else a - b
+
+
+def _cross(u: Sequence, v: Sequence) -> tuple:
+    return tuple(_minus(_product(u[i], v[j]), _product(u[j], v[i]))
+                 for i, j in ((1, 2), (2, 0), (0, 1)))

@@ -452,7 +452,6 @@ export function mount(element, svg, scene, joints) {
 
 // ---- Jupyter: the joints are ipywidgets' sliders, in degrees or lengths ----
 
-const SAVE_EVERY = 100;                             // ms between messages to Python while moving
 const KEYS = { ArrowLeft: -1, ArrowDown: -1, ArrowRight: 1, ArrowUp: 1, PageDown: -10, PageUp: 10,
                Home: -Infinity, End: Infinity };
 
@@ -467,16 +466,29 @@ class Joint {
     Object.assign(this, { slider, step, scale, settled: slider.get("value") });
     this.low = slider.get("min");
     this.high = slider.get("max");
+    slider.on("change:value", (_, value, options) => this.settle(options));
+    // The slider's own view writes back what it was given, rounded: that is no change.
+    const set = slider.set.bind(slider);
+    slider.set = (key, value, options) =>
+      set(key, options?.updated_view && this.echoes(value) ? this.settled : value, options);
   }
+
+  /** The one joint of a slider, however often it is shown: two would round for each other. */
+  static of(slider, data) {
+    if (!Joint.known.has(slider)) Joint.known.set(slider, new Joint(slider, data));
+    return Joint.known.get(slider);
+  }
+
+  static known = new WeakMap();
 
   get value() { return this.slider.get("value"); }
 
+  echoes(value) { return Math.abs(value - this.settled) <= 1e-6 * this.step; }
+
   /** Keep values from elsewhere exact, and round those that a hand on the slider makes. */
   settle(options = {}) {
-    if (!options.updated_view) { this.settled = this.value; return; }
-    const echo = Math.abs(this.value - this.settled) <= 1e-9 * (this.high - this.low);
-    if (!echo) this.settled = this.snap(this.value);
-    if (this.value !== this.settled) this.slider.set("value", this.settled, echo ? options : {});
+    this.settled = options.updated_view ? this.snap(this.value) : this.value;
+    if (this.value !== this.settled) this.slider.set("value", this.settled);
   }
 
   press(steps, fine) {
@@ -499,17 +511,18 @@ class Joint {
 async function sliderJoints(model, scene) {
   const joints = await Promise.all(model.get("sliders").map(async (reference, i) => {
     const id = reference.slice("IPY_MODEL_".length);
-    return new Joint(await model.widget_manager.get_model(id), scene.joints[i]);
+    return Joint.of(await model.widget_manager.get_model(id), scene.joints[i]);
   }));
   const values = () => joints.map((joint) => joint.value * joint.scale);
-  let q = values(), timer = 0;
-  const save = () => { timer = 0; joints.forEach(({ slider }) => slider.save_changes()); };
+  let q = values();
   return {
     joints,
     read: () => q,
     write(wanted) {
-      joints.forEach((joint, i) => joint.slider.set("value", wanted[i] / joint.scale));
-      timer ||= setTimeout(save, SAVE_EVERY);
+      joints.forEach(({ slider, scale }, i) => {
+        slider.set("value", wanted[i] / scale);
+        slider.save_changes();                      // else Python's echo of an older value wins
+      });
     },
     listen(callback) {
       const take = () => {
@@ -517,14 +530,10 @@ async function sliderJoints(model, scene) {
         q = values();
         callback();
       };
-      const listeners = joints.map((joint) => (_, value, options) => {
-        joint.settle(options);
-        take();
-      });
-      joints.forEach(({ slider }, i) => slider.on("change:value", listeners[i]));
+      joints.forEach(({ slider }) => slider.on("change:value", take));
       model.on("change:hold", take);
       return () => {
-        joints.forEach(({ slider }, i) => slider.off("change:value", listeners[i]));
+        joints.forEach(({ slider }) => slider.off("change:value", take));
         model.off("change:hold", take);
       };
     },

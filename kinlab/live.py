@@ -116,6 +116,8 @@ class LiveView(ipywidgets.Box):
         panel.add_class("kl-joints")
         super().__init__([self._canvas, panel, *below])
         self.add_class("kl-view")
+        for slider in self.sliders:
+            slider.observe(self._forget, "value")
 
     def __getitem__(self, name: str) -> ipywidgets.FloatSlider:
         names = [knob.name for knob in self._knobs]
@@ -160,6 +162,10 @@ class LiveView(ipywidgets.Box):
         still = draw.figure(self._scene, self._values, self._preset, self._show)
         bundle |= {"text/plain": repr(self), "image/png": draw.png(still)}
         return bundle, {"image/png": {"alt": f"Picture of the arm. {self!r}"}}
+
+    def _forget(self, _: Any) -> None:
+        """A knob has moved: what was remarked about the setting before no longer holds."""
+        self._canvas.note = ""
 
     def _data(self) -> dict:
         knobs = self._knobs

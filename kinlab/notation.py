@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from decimal import Decimal, localcontext
-from functools import reduce
+from functools import lru_cache, reduce
 
 import sympy as sp
 
@@ -142,10 +142,12 @@ class _ByText:
         return str(self.expression) < str(other.expression)
 
 
-def _factors(term: sp.Expr) -> list[sp.Expr]:
-    return [factor for factor in sp.Mul.make_args(term) if not factor.is_number]
+@lru_cache(maxsize=1024)
+def _factors(term: sp.Expr) -> tuple[sp.Expr, ...]:
+    return tuple(factor for factor in sp.Mul.make_args(term) if not factor.is_number)
 
 
+@lru_cache(maxsize=1024)
 def _constant(term: sp.Expr) -> sp.Expr:
     """The number in front of a term: -177.8, or sqrt(3)/2 for an angle of 30 degrees."""
     return sp.expand(sp.Mul(*(factor for factor in sp.Mul.make_args(term) if factor.is_number)))

@@ -9,21 +9,23 @@ import math
 from dataclasses import dataclass, replace
 from functools import cached_property
 from numbers import Integral
+from typing import Any
 
 import sympy as sp
 
 from . import checks, notation
 from .arm import REVOLUTE, Arm, _check_arm
+from .kinematics import tool_and_twists
 from .motions import ROTATE, Motion, X, Y, Z, follow, keep_whole, matrix
 
 
 @dataclass(frozen=True, eq=False)
 class ClosedForm:
-    """A homogeneous matrix in closed form.
+    """A homogeneous matrix, or a Jacobian, in closed form.
 
     Attributes
     ----------
-    matrix : sympy.Matrix, shape (4, 4)
+    matrix : sympy.Matrix, shape (4, 4), or (6, n) for a Jacobian
     joints : tuple of sympy.Symbol
         All joint variables of the arm, theta_i (rad) or d_i (length), in order.
     lengths : dict
@@ -40,8 +42,8 @@ class ClosedForm:
 
     @cached_property
     def entries(self) -> tuple[tuple[str, ...], ...]:
-        return tuple(tuple(notation.text(self.matrix[i, j], self.joints) for j in range(4))
-                     for i in range(4))
+        return tuple(tuple(notation.text(entry, self.joints) for entry in self.matrix.row(i))
+                     for i in range(self.matrix.rows))
 
     @property
     def text(self) -> str:
@@ -52,7 +54,7 @@ class ClosedForm:
     @property
     def latex(self) -> str:
         rows = (" & ".join(notation.latex(entry, self.joints) for entry in self.matrix.row(i))
-                for i in range(4))
+                for i in range(self.matrix.rows))
         return r"\begin{bmatrix}" + r" \\ ".join(rows) + r"\end{bmatrix}"
 
     def __repr__(self) -> str:
@@ -95,15 +97,36 @@ def closed_form(arm: Arm, start: int = 0, stop: int | None = None, *,
     '-d5*S4'
     """
     _check_arm(arm)
-    checks.choice("lengths", lengths, ("numbers", "symbols"))
-    first, last = _stretch(arm, start, stop)
-    joints = tuple(joint_symbol(link.kind, i) for i, link in enumerate(arm.links, start=1))
-    names = _length_names(arm) if lengths == "symbols" else {}
-    values: dict[sp.Symbol, float] = {}
-    motions = [_exact(motion, names.get((part, motion.axis)), values)
-               for part in range(first, last) for motion in arm.chain[part]]
+    joints, motions, values = _exact_chain(arm, *_stretch(arm, start, stop), lengths)
     frame = follow(motions, joints)
     return ClosedForm(sp.Matrix(keep_whole(matrix(frame).astype(object))[0]), joints, values)
+
+
+def jacobian_form(arm: Arm, *, lengths: str = "numbers") -> ClosedForm:
+    """The geometric Jacobian of the tool point, exactly, as a function of the joints.
+
+    Parameters
+    ----------
+    arm : Arm
+    lengths : {"numbers", "symbols"}
+        As in `closed_form`.
+
+    Returns
+    -------
+    ClosedForm
+        Its matrix has rows [v; w] in base axes and one column per joint, as in `jacobian`.
+
+    Examples
+    --------
+    >>> from kinlab import robots
+    >>> jacobian_form(robots.two_link(), lengths="symbols").entries[0]
+    ('-a1*S1 - a2*S12', '-a2*S12')
+    """
+    _check_arm(arm)
+    joints, motions, values = _exact_chain(arm, 0, arm.n + 2, lengths)
+    _, twists = tool_and_twists(motions, joints)
+    columns = [[_pythagoras(component) for component in twist] for twist in twists]
+    return ClosedForm(sp.Matrix(columns).T, joints, values)
 
 
 def joint_symbol(kind: str, i: int) -> sp.Symbol:
@@ -121,6 +144,24 @@ def exact_angle(angle: float) -> sp.Expr:
 def exact_length(length: float) -> sp.Expr:
     """The length as the decimal that was typed: 177.8 is 889/5."""
     return sp.Rational(repr(float(length)))
+
+
+def _exact_chain(arm: Arm, first: int, last: int, lengths: str) -> tuple[tuple, list, dict]:
+    """Joint symbols, the exact motions of a slice of `arm.chain`, and the lengths' values."""
+    checks.choice("lengths", lengths, ("numbers", "symbols"))
+    joints = tuple(joint_symbol(link.kind, i) for i, link in enumerate(arm.links, start=1))
+    names = _length_names(arm) if lengths == "symbols" else {}
+    values: dict[sp.Symbol, float] = {}
+    motions = [_exact(motion, names.get((part, motion.axis)), values)
+               for part in range(first, last) for motion in arm.chain[part]]
+    return joints, motions, values
+
+
+def _pythagoras(component: Any) -> sp.Expr:
+    """Multiplied out, with sin^2 written as 1 - cos^2: all squares of a cross product cancel."""
+    squares = lambda e: e.is_Pow and e.exp == 2 and isinstance(e.base, sp.sin)  # noqa: E731
+    expanded = sp.expand(sp.sympify(component))
+    return sp.expand(expanded.replace(squares, lambda e: 1 - sp.cos(e.base.args[0]) ** 2))
 
 
 def _stretch(arm: Arm, start: int, stop: int | None) -> tuple[int, int]:

@@ -34,6 +34,7 @@ def test_a_link_is_zero_and_unlimited_unless_told(make):
     link = make()
     assert (link.theta, link.d, link.a, link.alpha) == (0, 0, 0, 0)
     assert link.limits is None and link.name is None
+    assert link == kl.Link(link.kind)
 
 
 def test_an_arm_stands_at_the_origin_with_zero_home_unless_told():
@@ -55,6 +56,22 @@ def test_an_arm_cannot_change_under_its_users():
         arm.name = "other"
     with pytest.raises(FrozenInstanceError):
         arm.links[0].a = 1
+    with pytest.raises(FrozenInstanceError):
+        kl.closed_form(arm).lengths = {}
+    with pytest.raises(FrozenInstanceError):
+        kl.zyz_angles(np.eye(3)).fixed = 1
+
+
+def test_all_but_the_links_is_given_by_name():
+    with pytest.raises(TypeError):
+        kl.Arm([kl.revolute()], "modified")
+    with pytest.raises(TypeError):
+        kl.revolute(0.1)
+
+
+def test_arms_are_told_apart_by_identity():
+    one, other = kl.robots.alpha_ii(), kl.robots.alpha_ii()
+    assert one != other and len({one, other, one}) == 2
 
 
 def test_the_chain_is_base_links_tool():

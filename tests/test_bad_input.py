@@ -20,6 +20,23 @@ EYE = np.eye(4)
 FLAT = kl.zyz_angles(np.eye(3))
 LINKS = [kl.revolute(), kl.prismatic()]
 
+HOME = ARM.home
+POSE = kl.forward_kinematics(ARM, [0.1] * 5)
+
+
+def solve(target=POSE, **options):
+    return kl.inverse_kinematics(ARM, target, **{"restarts": 2, "steps": 9, **options})
+
+
+def solve_all(targets=POSE[None], **options):
+    return kl.inverse_kinematics_batch(ARM, targets, **{"restarts": 2, "steps": 9, **options})
+
+
+def few(samples):
+    """Whole numbers that are not too many to wait for."""
+    return 1 + samples % 99 if isinstance(samples, int) and 0 < samples < 10**9 else samples
+
+
 # Every argument of every public function, with a call that puts a value in its place.
 NUMBERS = {
     "kl.revolute theta": lambda x: kl.revolute(theta=x),
@@ -36,6 +53,15 @@ NUMBERS = {
     "kl.link_frames q": lambda x: kl.link_frames(ARM, x),
     "kl.jacobian q": lambda x: kl.jacobian(ARM, x),
     "kl.zyz_angles R": kl.zyz_angles,
+    "kl.manipulability q": lambda x: kl.manipulability(ARM, x),
+    "kl.rank q": lambda x: kl.rank(ARM, x),
+    "kl.rank tolerance": lambda x: kl.rank(ARM, ARM.home, tolerance=x),
+    "kl.singular_directions q": lambda x: kl.singular_directions(ARM, x),
+    "kl.singular_directions tolerance": lambda x: kl.singular_directions(ARM, HOME, tolerance=x),
+    "kl.inverse_kinematics target": lambda x: solve(x),
+    "kl.inverse_kinematics tolerance": lambda x: solve(tolerance=x),
+    "kl.inverse_kinematics_batch targets": lambda x: solve_all(x),
+    "kl.inverse_kinematics_batch tolerance": lambda x: solve_all(tolerance=x),
 }
 SYMBOLS_TOO = {
     "kl.rotation_2d theta": kl.rotation_2d,
@@ -60,8 +86,22 @@ NONE_TOO = {
     "kl.Arm base": lambda x: kl.Arm(LINKS, base=x),
     "kl.Arm tool": lambda x: kl.Arm(LINKS, tool=x),
     "kl.Arm home": lambda x: kl.Arm(LINKS, home=x),
+    "kl.inverse_kinematics q0": lambda x: solve(q0=x),
+    "kl.inverse_kinematics weights": lambda x: solve(weights=x),
+    "kl.inverse_kinematics_batch q0": lambda x: solve_all(q0=x),
+    "kl.inverse_kinematics_batch weights": lambda x: solve_all(weights=x),
 }
 OTHERS = {
+    "kl.manipulability arm": lambda x: kl.manipulability(x, [0]),
+    "kl.rank arm": lambda x: kl.rank(x, [0]),
+    "kl.singular_directions arm": lambda x: kl.singular_directions(x, [0]),
+    "kl.jacobian_form arm": kl.jacobian_form,
+    "kl.workspace arm": kl.workspace,
+    "kl.density_picture reached": kl.density_picture,
+    "kl.envelope_picture reached": kl.envelope_picture,
+    "kl.slice_picture reached": kl.slice_picture,
+    "kl.inverse_kinematics arm": lambda x: kl.inverse_kinematics(x, [0, 0, 0]),
+    "kl.inverse_kinematics_batch arm": lambda x: kl.inverse_kinematics_batch(x, [[0, 0, 0]]),
     "kl.Arm links": kl.Arm,
     "kl.forward_kinematics arm": lambda x: kl.forward_kinematics(x, [0]),
     "kl.link_frames arm": lambda x: kl.link_frames(x, [0]),
@@ -74,6 +114,11 @@ WORDS = {
     "kl.Link kind": kl.Link,
     "kl.Arm convention": lambda x: kl.Arm(LINKS, convention=x),
     "kl.closed_form lengths": lambda x: kl.closed_form(ONE, lengths=x),
+    "kl.jacobian_form lengths": lambda x: kl.jacobian_form(ONE, lengths=x),
+    "kl.inverse_kinematics method": lambda x: solve(method=x),
+    "kl.inverse_kinematics limits": lambda x: solve(limits=x),
+    "kl.inverse_kinematics_batch method": lambda x: solve_all(method=x),
+    "kl.inverse_kinematics_batch limits": lambda x: solve_all(limits=x),
 }
 LINES = {
     "kl.Arm name": lambda x: kl.Arm(LINKS, name=x),
@@ -85,7 +130,22 @@ FRAMES = {
     "kl.closed_form start": lambda x: kl.closed_form(ONE, x),
     "kl.closed_form stop": lambda x: kl.closed_form(ONE, 0, x),
 }
-EVERY = NUMBERS | SYMBOLS_TOO | NONE_TOO | OTHERS | WORDS | LINES | FRAMES
+COUNTS = {
+    "kl.workspace samples": lambda x: kl.workspace(ARM, few(x)).points,
+    "kl.workspace seed": lambda x: kl.workspace(ARM, 9, seed=x).points,
+    "kl.inverse_kinematics restarts": lambda x: solve(restarts=x),
+    "kl.inverse_kinematics seed": lambda x: solve(seed=x),
+    "kl.inverse_kinematics steps": lambda x: solve(steps=x),
+    "kl.inverse_kinematics_batch restarts": lambda x: solve_all(restarts=x),
+    "kl.inverse_kinematics_batch seed": lambda x: solve_all(seed=x),
+    "kl.inverse_kinematics_batch steps": lambda x: solve_all(steps=x),
+}
+ROWS = {
+    "kl.manipulability rows": lambda x: kl.manipulability(ARM, HOME, x),
+    "kl.rank rows": lambda x: kl.rank(ARM, HOME, x),
+    "kl.singular_directions rows": lambda x: kl.singular_directions(ARM, HOME, x),
+}
+EVERY = NUMBERS | SYMBOLS_TOO | NONE_TOO | OTHERS | WORDS | LINES | FRAMES | COUNTS | ROWS
 every = pytest.mark.parametrize("call", EVERY)
 
 NEVER_A_NUMBER = [
@@ -128,6 +188,8 @@ def is_finite(result):
         return all(map(np.isfinite, (result.theta, result.d, result.a, result.alpha)))
     if isinstance(result, kl.ClosedForm):
         return not result.matrix.has(sp.nan, sp.oo, sp.zoo)
+    if isinstance(result, kl.InverseResult | kl.InverseBatch):
+        return all(map(np.all, map(np.isfinite, (result.q, result.position_error))))
     if isinstance(result, kl.ZYZAngles | tuple):
         return np.isfinite(tuple(result)).all()
     return not any(entry != entry or entry in (sp.oo, -sp.oo, sp.zoo) for entry in result.flat)
@@ -175,6 +237,18 @@ def test_frames_that_do_not_exist_are_refused(call):
         refuse(call, value)
 
 
+@pytest.mark.parametrize("call", COUNTS)
+def test_counts_are_whole_numbers(call):
+    for value in [*NEVER_A_NUMBER, None if "restarts" not in call else -2, -1, 0.5, "0", [1]]:
+        refuse(call, value)
+
+
+@pytest.mark.parametrize("call", ROWS)
+def test_rows_are_those_of_a_jacobian(call):
+    for value in (None, 1, "", "0", [], [-1], [6], [0.0], [0, "1"], [[0]], 1j, object()):
+        refuse(call, value)
+
+
 def test_frames_in_the_wrong_order_are_refused():
     with pytest.raises(ValueError, match=r"^start, stop: expected frames 0 <= start <= stop <= 5"):
         kl.closed_form(ARM, 4, 3)
@@ -216,7 +290,8 @@ def test_anything_is_computed_or_refused_in_one_sentence(call, value):
 
 
 def test_every_public_function_is_listed_here():
-    elsewhere = {"ArmView", "ClosedForm", "exercises", "robots"}
+    elsewhere = {"ArmView", "ClosedForm", "InverseBatch", "InverseResult", "Workspace", "exercises",
+                 "parse_number", "robots"}
     listed = {call.split()[0].removeprefix("kl.") for call in EVERY}
     assert set(kl.__all__) - elsewhere <= listed
 

@@ -98,6 +98,14 @@ def test_the_trap_with_rounding_noise(noise):
     assert angles.singular and angles.fixed == pytest.approx(0, abs=1e-11)
 
 
+@pytest.mark.parametrize("zero", [0.0, -0.0])
+def test_the_sign_of_a_zero_does_not_matter(zero):
+    """R = Ry(-45 degrees): phi is 180, not -180 degrees."""
+    h = np.sqrt(0.5)
+    first = kl.zyz_angles([[h, zero, -h], [zero, 1, zero], [h, zero, h]])[0]
+    assert first == pytest.approx((pi, pi / 4, pi))
+
+
 def test_the_regular_companion_of_the_practical():
     R = kl.forward_kinematics(kl.robots.practical_six_link(),
                               np.radians([30, 40, -20, 50, 60, 70]))[:3, :3]
@@ -119,6 +127,7 @@ def test_what_the_angles_say():
     assert kl.zyz_angles(textbook.zyz(radians(20), 0, radians(10))).message == (
         "theta = 0 degrees: any phi and psi with phi + psi = 30.0000 degrees")
     upside_down = kl.zyz_angles(textbook.zyz(radians(20), pi, radians(50)))
+    assert kl.zyz_angles(np.diag([-1, 1, -1])).message.endswith("phi - psi = 0.0000 degrees")
     assert repr(upside_down) == (
         "ZYZ: theta = 180 degrees: any phi and psi with phi - psi = -30.0000 degrees")
 

@@ -100,8 +100,10 @@ def test_beyond_a_limit_a_joint_stops_and_the_view_says_so():
     assert note(view) == "θ₁ stops at its limit, -57.2958°; d₂ stops at its limit, 0.6 m"
     view.q = [0, 0.3]
     assert note(view) == ""
+    view.q = [0, 7]
     view.joints[0].value = 400
-    close(view.q, [2, 0.3])
+    close(view.q, [2, 0.6])
+    assert note(view) == ""  # it told of another pose
 
 
 def test_a_view_can_start_beyond_its_limits():

@@ -21,14 +21,20 @@ MATHEMATICS = {
     "transforms": {"numpy", "checks", "motions"},
     "arm": {"numpy", "checks", "motions"},
     "kinematics": {"numpy", "checks", "motions", "arm"},
+    "singularity": {"numpy", "checks", "arm", "kinematics"},
+    "pose_error": {"numpy", "arm", "motions", "kinematics"},
+    "descent": {"numpy", "pose_error"},
+    "solve": {"numpy", "kinematics", "pose_error", "descent"},
+    "ik": {"numpy", "checks", "arm", "kinematics", "pose_error", "descent", "solve"},
+    "sampling": {"numpy", "checks", "arm", "motions", "kinematics"},
     "notation": {"sympy"},
     "symbolic": {"sympy", "checks", "motions", "arm", "kinematics", "notation"},
     "euler": {"numpy", "checks", "motions", "transforms"},
     "robots": {"numpy", "arm"},
     "__init__": set(),
 }
-DRAWING = ("scene", "arm_scene", "draw")
-VIEWS = ("live", "arm_view", "sketch")
+DRAWING = ("scene", "arm_scene", "draw", "workspace_plots")
+VIEWS = ("live", "arm_view", "sketch", "link_view")
 WIDGETS = {"ipywidgets", "anywidget", "traitlets", "IPython"}
 
 
@@ -61,6 +67,8 @@ def test_import_loads_no_heavy_library():
 
 def test_numbers_need_no_heavy_library():
     code = ("import kinlab as kl; arm = kl.to_modified(kl.robots.alpha_ii())\n"
+            "kl.inverse_kinematics(arm, [0, 0, 0]).message; kl.rank(arm, arm.home)\n"
+            "kl.workspace(arm, 99).envelope()\n"
             "kl.jacobian(arm, arm.home); kl.zyz_angles(kl.rotation_x(0.1)); kl.compose(arm.base)")
     assert not loaded_by(code).intersection(HEAVY)
 

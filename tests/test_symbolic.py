@@ -225,7 +225,7 @@ def test_any_angle_equals_its_number(arm):
 @given(exact_arms, st.data())
 @settings(max_examples=20)
 def test_stretches_chain(arm, data):
-    middle = data.draw(st.integers(0, arm.n))
+    middle = data.draw(st.integers(1, arm.n))  # the room (0) has the base in it
     q = joint_values(arm)
     first, second = kl.closed_form(arm, 0, middle), kl.closed_form(arm, middle)
     close(numbers(first, q) @ numbers(second, q), textbook.frames(arm, q)[-1], atol=1e-9)
@@ -281,6 +281,8 @@ def test_more_than_nine_joints():
     got = [[read(entry, form, q) for entry in row] for row in form.entries]
     close(got, textbook.frames(arm, q)[-1], atol=1e-9)
     assert r"S_{1,2,3,4,5,6,7,8,9,10,11}" in form.latex
+    ten = kl.closed_form(kl.Arm([kl.revolute() for _ in range(10)]))
+    assert ten.entries[0][0] == "C1,2,3,4,5,6,7,8,9,10"
     nine = kl.closed_form(kl.Arm([kl.revolute() for _ in range(9)]))
     assert nine.entries[0][0] == "C123456789"
 

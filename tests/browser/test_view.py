@@ -69,6 +69,20 @@ def test_python_moves_the_picture_and_the_sliders(live):
     assert "q=[0, 0, 0, -90, 0] deg" in text
 
 
+def test_a_pose_from_python_appears_as_a_whole(live):
+    (view,) = live(SHOW)
+    view.evaluate("""view => {
+        window.tools = new Set();
+        const tool = view.querySelector('#tool path');
+        new MutationObserver(() => tools.add(tool.getAttribute('d'))).observe(
+            tool, {attributes: true});
+    }""")
+    run_code(view.page, "import time\nfor k in range(24):\n"
+                        "    view.q = [[0.1] * 5, [-1, 1, -1, 1, 1]][k % 2]\n    time.sleep(0.04)")
+    wait_for_readouts(view, np.degrees([-1, 1, -1, 1, 1]))
+    assert view.page.evaluate("tools.size") == 2  # no pose with only some joints moved
+
+
 @pytest.mark.parametrize("times", [1, 2])
 def test_python_sets_any_value_exactly(live, times):
     robot, views = kl.robots.cylindrical, ["view"] * times
@@ -111,6 +125,9 @@ def test_a_typed_number_moves_the_arm_and_stops_at_the_limit(live):
     (view,) = live(SHOW)
     type_in(view, 1, "-33")
     values = [0, -33, 0, -90, 0]
+    assert_drawn(view, values)
+    type_in(view, 0, "12.5")
+    values[0] = 12.5
     assert_drawn(view, values)
     type_in(view, 2, "400")
     values[2] = 135
@@ -268,7 +285,7 @@ FOCUSED = """() => {
 
 
 def test_everything_works_from_the_keyboard_alone(live):
-    (view,) = live(SHOW)
+    (view,) = live("1", SHOW, "2")
     page, values = view.page, [0, 0, 0, -90, 0]
     button(view, "Home").focus()
     seen = [page.evaluate(FOCUSED)]
@@ -291,7 +308,9 @@ def test_everything_works_from_the_keyboard_alone(live):
     page.keyboard.press("Space")
     assert shown(view, "ghost") == {True}
 
-    picture(view).focus()
+    active = "jupyterapp.shell.currentWidget.content.activeCellIndex"
+    picture(view).click()
+    at = page.evaluate(active)
     for key in ("ArrowLeft", "ArrowLeft", "ArrowRight", "ArrowUp", "ArrowUp", "ArrowDown"):
         page.keyboard.press(key)
     assert_drawn(view, [0] * 5, (-55, 29, 1))
@@ -306,7 +325,8 @@ def test_everything_works_from_the_keyboard_alone(live):
                        "End": 120, "Home": -120}.items():
         page.keyboard.press(key)
         assert_drawn(view, [0, value, 0, 0, 0])
-    assert page.locator(".jp-Notebook:visible .jp-Cell").count() == 1  # no key reached it
+    assert page.evaluate(active) == at  # no key reached the notebook
+    assert page.locator(".jp-Notebook:visible .jp-Cell").count() == 3
 
 
 LOOK = """view => {

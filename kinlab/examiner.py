@@ -1,0 +1,322 @@
+"""Judge a student's DH table by what the arm does: every valid choice of frames is right."""
+from __future__ import annotations
+
+from dataclasses import replace
+from math import degrees, pi, sin
+
+import numpy as np
+
+from .arm import CONVENTIONS, Arm, _check_arm
+from .kinematics import forward_kinematics
+from .mechanism import (
+    TOLERANCE,
+    Axes,
+    Fault,
+    Layout,
+    Match,
+    axes_of,
+    differ,
+    matched,
+    turned_bend,
+    wrapped,
+)
+from .verdict import CORRECT, NOT_YET, Verdict
+
+_WORDS = {"alpha": "twist", "theta": "angle", "a": "length", "d": "offset"}
+
+_STANCE = "The mechanism is right, but at q = 0 it does not stand as drawn"
+_TOOL = ("The mechanism is right, but the tool frame sits elsewhere on the last link: check row {} "
+         "and the tool.")
+
+
+def same_mechanism(answer: Arm, reference: Arm, *, strict: bool = False) -> Verdict:
+    """Whether two arms are the same mechanism, whatever frames were chosen.
+
+    They are when a rigid placement of the base, a sign and an offset for each joint, and a tool
+    transform make them move alike for all q. The conventions may differ. Angles count as equal
+    within 5e-7 rad (pi/2 may be typed as 1.570796) and lengths within 5e-7 of themselves. The
+    unit names of the arms are not compared: both must use the same unit.
+
+    Parameters
+    ----------
+    answer, reference : Arm
+    strict : bool
+        Also ask that both stand alike at q = 0 and carry the same tool frame. Then no offset and
+        no tool transform is free: forward_kinematics(answer, s * q) equals, after one placement
+        of the base, forward_kinematics(reference, q) for some signs s and all q.
+
+    Returns
+    -------
+    Verdict
+        With `ok` and `message`: which joint is off and what it should be, or what was chosen
+        differently in a right answer. One slip is named at a time, the twists before the lengths.
+
+    Raises
+    ------
+    ValueError
+        If `answer` or `reference` is not an Arm.
+
+    Examples
+    --------
+    >>> from kinlab import robots, to_modified
+    >>> arm = robots.alpha_ii()
+    >>> same_mechanism(to_modified(arm), arm)
+    ✓ Correct. The same mechanism. Chosen differently: modified DH instead of standard.
+    """
+    _check_arm(answer)
+    _check_arm(reference)
+    fault = _other_joints(answer, reference)
+    if fault:
+        return Verdict(NOT_YET, fault)
+    mine, theirs = axes_of(answer), axes_of(reference)
+    match = matched(mine, theirs)
+    if match.faults:
+        return Verdict(NOT_YET, _refusal(answer, mine, theirs, match))
+    stance = _stance(answer, reference, mine, theirs, match) if strict else ""
+    return Verdict(NOT_YET, stance) if stance else Verdict(CORRECT, _praise(mine, theirs, answer,
+                                                                            reference, match))
+
+
+def _other_joints(answer: Arm, reference: Arm) -> str:
+    """How the joints differ in number or type, or ""."""
+    if answer.n != reference.n:
+        return f"Your table has {_count(answer.n)}, the arm has {reference.n}. " + (
+            "One row belongs to each joint." if answer.n < reference.n else
+            "Only joints have rows: put a fixed tool into the tool frame.")
+    for i, (row, joint) in enumerate(zip(answer.links, reference.links), start=1):
+        if row.kind != joint.kind:
+            return (f"Joint {i} is {joint.kind} on the arm and {row.kind} in your table: its "
+                    f"variable is {joint.variable}{i}, so {joint.variable}{i} varies and "
+                    f"{row.variable}{i} is constant.")
+    return ""
+
+
+def _count(n: int) -> str:
+    return "1 joint" if n == 1 else f"{n} joints"
+
+
+# ---- A wrong table -------------------------------------------------------------------------------
+
+
+def _refusal(answer: Arm, mine: Axes, theirs: Axes, match: Match) -> str:
+    other, = set(CONVENTIONS) - {answer.convention}
+    if not matched(axes_of(replace(answer, convention=other)), theirs).faults:
+        return (f"These numbers fit the {other} convention and were read as {answer.convention}. "
+                f"Say convention='{other}', or move alpha and a by one row.")
+    fault = match.faults[0]
+    speak = {"alpha": _twisted, "theta": _bent, "a": _long, "d": _off}[fault.parameter]
+    return speak(fault, answer, mine, theirs, match) + _rounded(fault)
+
+
+def _start(fault: Fault, answer: Arm) -> str:
+    """Joint, parameter and its value, named as in the student's own table."""
+    moved = answer.convention == "modified" and fault.parameter in ("alpha", "a")
+    row = fault.row + 1 + moved
+    where = f"{fault.parameter}{fault.row + 1}" + (f" (in row {row})" if moved else "")
+    return f"Joint {row}: the {_WORDS[fault.parameter]} {where} is {_shown(fault)[0]}"
+
+
+def _shown(fault: Fault, expected: float | None = None) -> tuple[str, str]:
+    """Both values, with as many digits as it takes to tell them apart."""
+    values = fault.got, fault.expected if expected is None else expected
+    if fault.parameter in ("alpha", "theta"):
+        return tuple(f"{text}°" for text in _apart(*map(degrees, values)))
+    return _apart(*values)
+
+
+def _apart(a: float, b: float) -> tuple[str, str]:
+    for digits in (6, 9, 12):
+        texts = tuple(f"{round(value, 12) + 0.0:.{digits}g}" for value in (a, b))
+        if texts[0] != texts[1]:
+            break
+    return texts
+
+
+def _twisted(fault: Fault, answer: Arm, mine: Axes, theirs: Axes, match: Match) -> str:
+    i, angle = fault.row, fault.expected
+    length = mine.a[i] * theirs.a[i] * np.sign(theirs.x[i] @ theirs.normal(i))
+    side = match.signs[i] * match.signs[i + 1] * np.sign(length)
+    if mine.turns[i] and mine.turns[i + 1] and abs(length) > TOLERANCE * mine.longest ** 2:
+        allowed = [side * angle]  # the length tells which way x points
+    else:
+        allowed = sorted({angle, -angle if angle < pi - TOLERANCE else angle}, reverse=True)
+    texts = " or ".join(dict.fromkeys(_shown(fault, value)[1] for value in allowed))
+    a, b = _z(answer, i), _z(answer, i + 1)
+    return f"{_start(fault, answer)}; from {a} to {b} it should be {texts}."
+
+
+def _bent(fault: Fault, answer: Arm, mine: Axes, theirs: Axes, match: Match) -> str:
+    return (f"{_start(fault, answer)}; it should be {_shown(fault)[1]}. A prismatic joint does "
+            "not turn, so q cannot make up for this angle: the row has to hold it.")
+
+
+def _long(fault: Fault, answer: Arm, mine: Axes, theirs: Axes, match: Match) -> str:
+    i = fault.row
+    text = f"{_start(fault, answer)}; it should be {_shown(fault)[1]}"
+    if abs(fault.got + fault.expected) > TOLERANCE * abs(fault.got):
+        return f"{text}."
+    if abs(sin(answer_twist := mine.arm.links[i].alpha)) > TOLERANCE:
+        turned = _apart(degrees(-answer_twist), degrees(answer_twist))[0]
+        return (f"{text}; or the twist alpha{i + 1} turns the wrong way and should be {turned}°: "
+                "the two must fit together.")
+    return f"{text}: its sign is wrong."
+
+
+def _off(fault: Fault, answer: Arm, mine: Axes, theirs: Axes, match: Match) -> str:
+    run = next(run for run in Layout(theirs).runs if fault.row in run)
+    turning = [f"d{i + 1}" for i in run if mine.turns[i]]
+    text = f"{_start(fault, answer)}; it should be {_shown(fault)[1]}"
+    if len(turning) < 2:
+        return f"{text}."
+    return (f"{text}. The axes of these joints are parallel, so only the sum of "
+            f"{', '.join(turning)} counts.")
+
+
+def _rounded(fault: Fault) -> str:
+    close = abs(fault.got - fault.expected) < 1e-4 * abs(fault.expected)
+    if close and fault.parameter in ("alpha", "theta"):
+        return " It looks rounded: write pi/2 rather than 1.57."
+    if abs(fault.got) > 2 * pi + TOLERANCE and fault.parameter in ("alpha", "theta"):
+        return " Angles are in radians: write radians(90) for 90°."
+    return ""
+
+
+def _z(answer: Arm, i: int) -> str:
+    """The z that lies along the axis of a joint; joints count from 0 here."""
+    return f"z{i + (answer.convention == 'modified')}"
+
+
+# ---- The zero position and the tool --------------------------------------------------------------
+
+
+def _stance(answer: Arm, reference: Arm, mine: Axes, theirs: Axes, match: Match) -> str:
+    """How the answer stands other than the reference at q = 0, or "".
+
+    The tool frames are laid upon each other. The first axis out of place, seen from the tool,
+    hangs on a joint that counts from another zero: the one whose offset puts it in place.
+    """
+    out, z, points = _out_of_place(mine, theirs)
+    if not out:
+        return ""
+    k = out[-1]
+    if k == mine.n - 1:
+        return _TOOL.format(answer.n)
+    for j in range(k + 1, mine.n):
+        value = _zero(mine, j, k, match.signs[k] * z[k], points)
+        links = list(mine.arm.links)
+        links[j] = replace(links[j], **{links[j].variable: value})
+        if k not in _out_of_place(axes_of(replace(mine.arm, links=links)), theirs)[0]:
+            text = _apart(degrees(wrapped(value)) if mine.turns[j] else value, np.inf)[0]
+            return (f"{_STANCE}. Joint {j + 1}: {links[j].variable}{j + 1} should hold the offset "
+                    f"{text}{'°' * bool(mine.turns[j])}.")
+    last = mine.turns[k + 1] and k == mine.n - 2
+    return _TOOL.format(answer.n) if last else f"{_STANCE}: look at rows {k + 2} to {answer.n}."
+
+
+def _out_of_place(mine: Axes, theirs: Axes) -> tuple[list[int], np.ndarray, np.ndarray]:
+    """Axes that differ once the tools coincide; and where directions and points should be."""
+    G = _tool(mine) @ np.linalg.inv(_tool(theirs))
+    z, points = theirs.z @ G[:3, :3].T, _points(theirs) @ G[:3, :3].T + G[:3, 3]
+    apart = np.cross(mine.z, _points(mine) - points)
+    apart[~mine.turns] = 0  # a prismatic joint has a direction, not a place
+    reach = np.abs(mine.steps()).sum() + mine.longest
+    turned = np.linalg.norm(np.cross(mine.z, z), axis=1) > mine.n * TOLERANCE
+    moved = np.linalg.norm(apart, axis=1) > mine.n * TOLERANCE * reach
+    return np.flatnonzero(turned | moved).tolist(), z, points
+
+
+def _zero(axes: Axes, j: int, k: int, z: np.ndarray, points: np.ndarray) -> float:
+    """The offset of joint j that brings axis k towards where it should be."""
+    here = _points(axes)
+    if axes.turns[j]:
+        turn = _turn(axes.z[j], axes.z[k], z, here[k] - here[j], points[k] - here[j])
+        return axes.arm.links[j].theta - turn
+    across = axes.z[j] - axes.z[j] @ axes.z[k] * axes.z[k]
+    return axes.d[j] + (here[k] - points[k]) @ across / max(across @ across, TOLERANCE)
+
+
+def _turn(axis: np.ndarray, z: np.ndarray, wanted: np.ndarray, arm: np.ndarray,
+          wanted_arm: np.ndarray) -> float:
+    """The turn about an axis that brings a neighbouring axis to where it should be."""
+    if np.linalg.norm(np.cross(axis, z)) <= TOLERANCE:
+        z, wanted = arm, wanted_arm
+    across = np.cross(axis, z)
+    return float(np.arctan2(across @ wanted, np.cross(across, axis) @ wanted))
+
+
+def _tool(axes: Axes) -> np.ndarray:
+    return forward_kinematics(replace(axes.arm, base=None), np.zeros(axes.n))
+
+
+def _points(axes: Axes) -> np.ndarray:
+    """A point on each axis, at q = 0, seen from frame 0."""
+    return np.vstack([np.zeros(3), np.cumsum(axes.steps(), axis=0)[:-1]])
+
+
+# ---- A right table -------------------------------------------------------------------------------
+
+
+def _praise(mine: Axes, theirs: Axes, answer: Arm, reference: Arm, match: Match) -> str:
+    chosen = []
+    if answer.convention != reference.convention:
+        chosen.append(f"{answer.convention} DH instead of {reference.convention}")
+    chosen += [f"{_z(answer, i)} points the other way: your q{i + 1} "
+               f"{'turns' if mine.turns[i] else 'slides'} backwards"
+               for i in np.flatnonzero(match.signs < 0)]
+    chosen += _other_x(mine, theirs, match.signs) + _other_zero(mine, theirs, match.signs)
+    chosen += [f"the origin on {_z(answer, i)} slid along it" for i in range(1, mine.n - 1)
+               if mine.turns[i] and _unequal(mine.d[i] * match.signs[i], theirs.d[i], mine)]
+    chosen += _other_ends(mine, theirs)
+    if not chosen:
+        zeros = ([(link.theta, link.d) for link in axes.arm.links] for axes in (mine, theirs))
+        chosen = ["where some q count from"] * (not np.allclose(*zeros))
+    if not chosen:
+        return "The same mechanism, with the same frames."
+    more = [f"and {len(chosen) - 4} more"] if len(chosen) > 4 else []
+    return f"The same mechanism. Chosen differently: {'; '.join(chosen[:4] + more)}."
+
+
+def _unequal(a: float, b: float, axes: Axes) -> bool:
+    return abs(a - b) > 1e-6 * axes.longest
+
+
+def _other_x(mine: Axes, theirs: Axes, signs: np.ndarray) -> list[str]:
+    sides = [_side(mine, i) * _side(theirs, i) *
+             (signs[i] * signs[i + 1] if sin(theirs.twist(i)) > TOLERANCE else 1)
+             for i in range(mine.n - 1)]
+    return [f"x{i + 1} points the other way" for i, side in enumerate(sides) if side < 0]
+
+
+def _side(axes: Axes, i: int) -> float:
+    """Whether x points along the normal from axis i to axis i + 1 (1), against it, or neither."""
+    if sin(axes.twist(i)) > TOLERANCE:
+        return np.sign(axes.x[i] @ axes.normal(i))
+    both = axes.turns[i] and axes.turns[i + 1] and _unequal(axes.a[i], 0, axes)
+    return np.sign(axes.a[i]) if both else 0.0
+
+
+def _other_zero(mine: Axes, theirs: Axes, signs: np.ndarray) -> list[str]:
+    """Revolute joints between axes that are not parallel to theirs: the bend tells the zero."""
+    found = []
+    for i in range(1, mine.n - 1):
+        bent = min(sin(theirs.twist(i - 1)), sin(theirs.twist(i))) > TOLERANCE
+        if mine.turns[i] and bent:
+            here = turned_bend(mine.bend(i, i), signs, i, i)
+            if differ(here, there := theirs.bend(i, i)):
+                angle = _apart(abs(degrees(wrapped(here - there))), np.inf)[0]
+                found.append(f"q{i + 1} counts from a zero {angle}° away")
+    return found
+
+
+def _other_ends(mine: Axes, theirs: Axes) -> list[str]:
+    """Base and tool frames that differ. Both arms are in the standard convention here."""
+    first, other_first = mine.arm.links[0], theirs.arm.links[0]
+    last, other_last = mine.arm.links[-1], theirs.arm.links[-1]
+    base = not np.allclose(mine.arm.base, theirs.arm.base, atol=1e-6 * mine.longest) or (
+        differ(first.theta, other_first.theta) or _unequal(first.d, other_first.d, mine))
+    tool = not np.allclose(mine.arm.tool, theirs.arm.tool, atol=1e-6 * mine.longest) or (
+        differ(last.theta, other_last.theta) or differ(last.alpha, other_last.alpha)
+        or _unequal(last.d, other_last.d, mine) or _unequal(last.a, other_last.a, mine))
+    if mine.n == 1:
+        tool, base = tool or base, False
+    return ["another base frame"] * bool(base) + ["another tool frame"] * bool(tool)

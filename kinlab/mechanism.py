@@ -1,0 +1,305 @@
+"""When two arms are the same mechanism: their joint axes compared, whatever frames were chosen.
+
+An arm moves its tool by T(q) = exp(S_1 q_1) ... exp(S_n q_n) T(0), with S_i the axis of joint i
+at q = 0: a line if it turns, a direction if it slides. Let c be joint offsets, s signs, B a base
+placement and E a tool transform. Offsets carry the axes into another pose, S_i(c), so
+
+    T(s q + c) = exp(s_1 S_1(c) q_1) ... exp(s_n S_n(c) q_n) T(c).
+
+Two arms therefore move alike for all q, B T(s q + c) E = T'(q), exactly when B carries the axes
+s_i S_i(c) onto S'_i: derivatives at q = 0 show that this is necessary, the formula that it is
+enough (E makes up for the tool). So there must be a pose c in which the axes of one arm lie on
+those of the other. That asks for
+
+* equal twists between neighbouring axes, and equal bends (the angle about an axis between the
+  planes of its two twists) at prismatic axes: a revolute joint makes up for any bend;
+* between one revolute axis and the next, equal steps in the basis that these directions span, up
+  to slides along either revolute axis and along the prismatic axes between. A slide along a
+  revolute axis is shared by both its neighbours. So the steps of all links, stacked, may differ
+  only by an element of one linear space: the rest of the difference is what is wrong.
+
+Flipped axes change signs of these numbers. All sign patterns that the twists allow are tried.
+"""
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from functools import cached_property
+from itertools import pairwise
+from typing import NamedTuple
+
+import numpy as np
+
+from .arm import REVOLUTE, Arm, to_standard
+from .kinematics import link_frames
+
+# Half of the sixth decimal: an angle typed as 1.570796 counts as pi/2. Lengths: of each itself.
+TOLERANCE = 5e-7
+ROUNDING = 1e-9  # of the longest length
+FLAT = 1e-6  # a smaller singular value or slope is rounding noise
+MOST_PATTERNS = 4096
+
+
+def cross(u: np.ndarray, v: np.ndarray) -> np.ndarray:
+    """The cross product of two vectors; numpy's own takes ten times as long for so few."""
+    (a, b, c), (d, e, f) = u.tolist(), v.tolist()
+    return np.array([b * f - c * e, c * d - a * f, a * e - b * d])
+
+
+class Axes(NamedTuple):
+    """Joint axes of an arm at q = 0, with the standard table they came from."""
+
+    arm: Arm
+    turns: np.ndarray  # (n,) revolute or not
+    z: np.ndarray  # (n, 3) direction of each axis
+    x: np.ndarray  # (n, 3) x of frames 1 to n
+    a: np.ndarray
+    d: np.ndarray
+
+    @property
+    def n(self) -> int:
+        return len(self.turns)
+
+    @property
+    def longest(self) -> float:
+        """The longest length of the table; where it has none, rounding leaves some noise."""
+        ends = np.abs([self.arm.base[:3, 3], self.arm.tool[:3, 3]]).max()
+        return max(np.abs(self.a).max(), np.abs(self.d).max(), 1e-6 * ends, 1e-6)
+
+    def twist(self, i: int) -> float:
+        """Angle from axis i to axis i + 1, in [0, pi]."""
+        return float(np.arctan2(np.linalg.norm(self.normal(i)), self.z[i] @ self.z[i + 1]))
+
+    def normal(self, i: int) -> np.ndarray:
+        return cross(self.z[i], self.z[i + 1])
+
+    def bend(self, k: int, m: int) -> float:
+        """Angle about axis k from the normal before it to the one after axis m, parallel to k."""
+        before, after = self.normal(k - 1), self.normal(m)
+        return float(np.arctan2(self.z[k] @ cross(before, after), before @ after))
+
+    def steps(self) -> np.ndarray:
+        """From each frame's origin to the next, along z and then along x: (n, 3)."""
+        return self.d[:, None] * self.z + self.a[:, None] * self.x
+
+
+def axes_of(arm: Arm) -> Axes:
+    """The joint axes of an arm, base left out: it is free."""
+    arm = to_standard(arm)
+    frames = link_frames(replace(arm, base=None), np.zeros(arm.n))
+    values = np.array([(link.a, link.d) for link in arm.links])
+    turns = np.array([link.kind == REVOLUTE for link in arm.links])
+    return Axes(arm, turns, frames[:-1, :3, 2], frames[1:, :3, 0], *values.T)
+
+
+class Group(NamedTuple):
+    """From one revolute axis to the next; `third` is the first axis not parallel to the first."""
+
+    first: int
+    last: int
+    third: int | None
+
+
+@dataclass(frozen=True)
+class Layout:
+    """What the reference decides: which axes are parallel, and what may slide where."""
+
+    axes: Axes
+
+    @cached_property
+    def parallel(self) -> np.ndarray:
+        """(n - 1,) whether axis i and axis i + 1 are parallel."""
+        return np.array([np.sin(t) <= TOLERANCE for t in self.twists], dtype=bool)
+
+    @cached_property
+    def twists(self) -> list[float]:
+        return [self.axes.twist(i) for i in range(self.axes.n - 1)]
+
+    @cached_property
+    def runs(self) -> list[range]:
+        """Neighbouring axes that are parallel."""
+        cuts = [0, *(np.flatnonzero(~self.parallel) + 1), self.axes.n]
+        return [range(start, stop) for start, stop in pairwise(cuts)]
+
+    @cached_property
+    def bends(self) -> dict[tuple[int, int], float]:
+        """Bends that no revolute joint makes up for."""
+        held = [run for run in self.runs[1:-1] if not self.axes.turns[run].any()]
+        return {(run[0], run[-1]): self.axes.bend(run[0], run[-1]) for run in held}
+
+    @cached_property
+    def groups(self) -> list[Group]:
+        turning = np.flatnonzero(self.axes.turns).tolist()
+        start_of_next = {i: run.stop for run in self.runs for i in run}
+        return [Group(p, q, start_of_next[p] if start_of_next[p] <= q else None)
+                for p, q in pairwise(turning)]
+
+    @cached_property
+    def fixed(self) -> np.ndarray:
+        """Projector onto what no slide along an axis changes in the stacked steps."""
+        slides = np.zeros((self.axes.n, 3 * len(self.groups)))
+        for g, group in enumerate(self.groups):
+            E, block = basis(self.axes, group), slice(3 * g, 3 * g + 3)
+            for i in range(group.first, group.last + 1):
+                slides[i, block] = self.axes.z[i] @ E.T * (-1 if i == group.first else 1)
+        U, sizes, _ = np.linalg.svd(slides.T, full_matrices=False)
+        U = U[:, sizes > FLAT]
+        return np.eye(len(U)) - U @ U.T
+
+
+def basis(axes: Axes, group: Group) -> np.ndarray:
+    """Rows e1, e2, e3: e3 along the group's first axis, e2 normal to it and to the third one."""
+    first, last, third = group
+    z, step = axes.z[first], axes.steps()[first:last].sum(axis=0)
+    across = step - (step @ z) * z
+    if third is None:
+        e1 = across if np.linalg.norm(across) > 0 else axes.x[first]
+        e2 = cross(z, e1)
+    else:
+        e2 = cross(z, axes.z[third])
+        if np.linalg.norm(e2) <= TOLERANCE:  # parallel where the reference's are not
+            e2 = across if np.linalg.norm(across) > 0 else axes.x[first]
+    e2 = e2 / np.linalg.norm(e2)
+    return np.array([cross(e2, z), e2, z])
+
+
+def stacked(axes: Axes, layout: Layout) -> tuple[np.ndarray, np.ndarray]:
+    """Steps of all groups, each in its own basis, and their slopes by every length.
+
+    The slopes have two rows for each link, by a and by d.
+    """
+    steps, slopes = np.zeros(3 * len(layout.groups)), np.zeros((axes.n, 2, 3 * len(layout.groups)))
+    for g, group in enumerate(layout.groups):
+        E, block = basis(axes, group), slice(3 * g, 3 * g + 3)
+        links = slice(group.first, group.last)
+        steps[block] = E @ axes.steps()[links].sum(axis=0)
+        slopes[links, 0, block], slopes[links, 1, block] = axes.x[links] @ E.T, axes.z[links] @ E.T
+    return steps, slopes
+
+
+def flips(signs: np.ndarray, layout: Layout) -> np.ndarray:
+    """What sign patterns (m, n) do to the stacked steps: factors (m, 3 groups)."""
+    factors = np.ones((len(signs), 3 * len(layout.groups)))
+    for g, (first, _, third) in enumerate(layout.groups):
+        side = np.ones(len(signs)) if third is None else signs[:, third]
+        turn = np.ones(len(signs)) if third is None else side * signs[:, first]
+        factors[:, 3 * g:3 * g + 3] = np.stack([side, turn, signs[:, first]], axis=-1)
+    return factors
+
+
+def turned_bend(bend: float, signs: np.ndarray, k: int, m: int) -> np.ndarray:
+    """The bend between axes of which some are flipped; its own inverse."""
+    both = signs[..., k - 1] * signs[..., k] * signs[..., m] * signs[..., m + 1]
+    return np.arctan2(both * signs[..., k] * np.sin(bend), both * np.cos(bend))
+
+
+def differ(a: np.ndarray, b: float) -> np.ndarray:
+    """Whether angles differ, whole turns aside."""
+    return np.abs(wrapped(a - b)) > TOLERANCE
+
+
+def wrapped(angle: np.ndarray) -> np.ndarray:
+    """The angle between -pi and pi."""
+    return np.angle(np.exp(1j * angle))
+
+
+class Fault(NamedTuple):
+    """One number of the answer's table that is off, and what it should be.
+
+    `row` counts from 0 in the standard table; `parameter` is alpha, theta, a or d.
+    """
+
+    parameter: str
+    row: int
+    got: float
+    expected: float
+
+
+class Match(NamedTuple):
+    """The best way to lay the answer's axes upon the reference's."""
+
+    signs: np.ndarray
+    faults: list[Fault]
+
+
+def matched(answer: Axes, reference: Axes) -> Match:
+    """Lay the axes of one arm upon those of another with the same joints."""
+    layout = Layout(reference)
+    signs, off = _patterns(answer, layout)
+    steps, slopes = stacked(answer, layout)
+    gaps = (flips(signs, layout) * steps - stacked(reference, layout)[0]) @ layout.fixed
+    size = np.linalg.norm(gaps, axis=1)
+    size[size <= ROUNDING * reference.longest] = 0
+    order = np.lexsort(((signs < 0).sum(axis=1), size, off))[:256]
+    found = []
+    for pattern, gap, angles in zip(signs[order], gaps[order], off[order]):
+        bars = (flips(pattern[None], layout) * slopes) @ layout.fixed
+        lengths, cost = _lengths(answer, reference, gap, bars)
+        if not angles and not lengths:
+            return Match(pattern, [])
+        found.append((angles + 0.6 * cost, pattern, lengths))
+    _, pattern, lengths = min(found, key=lambda one: one[0])
+    return Match(pattern, [*_angles(answer, layout, pattern), *lengths])
+
+
+def _patterns(answer: Axes, layout: Layout) -> tuple[np.ndarray, np.ndarray]:
+    """Sign patterns that leave the fewest angles off, or one more; and how many are off."""
+    signs = np.array([[1], [-1]])
+    off = np.zeros(2, dtype=int)
+    for i in range(1, answer.n):
+        signs = np.column_stack([np.tile(signs, (2, 1)), np.repeat([1, -1], len(signs))])
+        twist, expected = answer.twist(i - 1), layout.twists[i - 1]
+        straight = signs[:, i - 1] == signs[:, i]
+        off = np.tile(off, 2) + differ(np.where(straight, twist, np.pi - twist), expected)
+        for (k, m), expected in layout.bends.items():
+            if m + 1 == i:
+                off = off + differ(turned_bend(answer.bend(k, m), signs, k, m), expected)
+        keep = np.argsort(off, kind="stable")[:MOST_PATTERNS]
+        keep = keep[off[keep] <= off.min() + 1]
+        signs, off = signs[keep], off[keep]
+    return signs, off
+
+
+def _lengths(answer: Axes, reference: Axes, gap: np.ndarray,
+             bars: np.ndarray) -> tuple[list[Fault], tuple]:
+    """The length that explains a gap between the steps, if any, and what that costs.
+
+    A gap is explained by a length whose slope it follows. Where several do (offsets along
+    parallel axes add up), the one that brings back the reference's own number is taken.
+    """
+    values, sizes = np.stack([answer.a, answer.d], axis=1), (bars ** 2).sum(axis=-1)
+    longest = max(answer.longest, reference.longest)
+    change = np.where(sizes > FLAT ** 2, bars @ gap / np.maximum(sizes, FLAT ** 2), 0)
+    if (np.all(np.abs(change) <= TOLERANCE * np.abs(values) + ROUNDING * longest)
+            and np.linalg.norm(gap) <= FLAT * longest):
+        return [], 0
+    left = np.linalg.norm(gap - change[..., None] * bars, axis=-1)
+    expected = values - change
+    original = np.abs(np.stack([reference.a, reference.d], axis=1))
+    strange = np.abs(np.abs(expected) - original) > ROUNDING * longest
+    explained = left <= ROUNDING * longest + 1e-3 * np.linalg.norm(gap)
+    choice = np.lexsort((strange.ravel(), np.where(explained, 0, left).ravel()))[0]
+    row, column = np.unravel_index(choice, values.shape)
+    cost = 2 - explained[row, column] + 0.1 * strange[row, column]
+    return [Fault("ad"[column], int(row), values[row, column], expected[row, column])], cost
+
+
+def _angles(answer: Axes, layout: Layout, signs: np.ndarray) -> list[Fault]:
+    """Twists, then bends, that differ under a sign pattern."""
+    faults = []
+    for i, expected in enumerate(layout.twists):
+        if signs[i] != signs[i + 1]:
+            expected = np.pi - expected
+        if differ(answer.twist(i), expected):
+            faults.append(Fault("alpha", i, answer.arm.links[i].alpha, expected))
+    for (k, m), bend in layout.bends.items():
+        expected, got = turned_bend(bend, signs, k, m), answer.bend(k, m)
+        if differ(got, expected):
+            faults.append(_bent(answer, layout, range(k, m + 1), wrapped(expected - got)))
+    return faults
+
+
+def _bent(answer: Axes, layout: Layout, run: range, change: float) -> Fault:
+    """Parallel prismatic joints add up their angles: name the one that is not the reference's."""
+    rows, originals = answer.arm.links, layout.axes.arm.links
+    k = min(run, key=lambda i: abs(wrapped(rows[i].theta + change - originals[i].theta)))
+    return Fault("theta", k, rows[k].theta, rows[k].theta + float(change))

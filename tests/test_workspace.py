@@ -1,0 +1,164 @@
+"""The workspace by sampling: its shape, its evenness, its memory, its pictures."""
+import io
+import tracemalloc
+from math import pi
+
+import numpy as np
+import pytest
+from test_kinematics import course
+
+import kinlab as kl
+from kinlab import sampling
+from kinlab.kinematics import reach
+from kinlab.sampling import r_sequence
+
+close = np.testing.assert_allclose
+
+
+def test_two_link_reaches_an_annulus():
+    arm = kl.Arm([kl.revolute(a=1), kl.revolute(a=0.4)])
+    points = kl.workspace(arm, 200_000).points
+    radius = np.linalg.norm(points, axis=1)
+    assert 0.6 - 1e-9 <= radius.min() < 0.6001 and 1.3999 < radius.max() <= 1.4 + 1e-9
+    angle = np.arctan2(points[:, 1], points[:, 0])
+    counts, _ = np.histogram(angle, bins=36, range=(-pi, pi))
+    close(counts, counts.mean(), rtol=0.01)
+
+
+def test_limits_bound_the_sweep():
+    arm = kl.Arm([kl.revolute(a=1, limits=(0, pi / 2)), kl.revolute(a=1, limits=(0, pi / 2))])
+    points = kl.workspace(arm, 50_000).points
+    close(np.linalg.norm(points, axis=1).min(), 2 ** 0.5, atol=1e-3)
+    assert points[:, 1].min() > -1e-9 and points[:, 0].min() > -1 - 1e-9
+
+
+def test_cylindrical_reaches_a_tube():
+    reached = kl.workspace(kl.robots.cylindrical(), 100_000)
+    radius, height = reached.radii_and_heights()
+    close([radius.min(), radius.max()], [0.1, 0.6], atol=1e-3)
+    close([height.min(), height.max()], [0.5, 1.0], atol=1e-3)
+    heights, nearest, farthest = reached.envelope(20)
+    close(heights, 0.5 + 0.025 * (np.arange(20) + 0.5), atol=1e-3)
+    close(nearest, 0.1, atol=1e-2)
+    close(farthest, 0.6, atol=1e-2)
+
+
+@course
+def test_points_are_those_of_forward_kinematics(robot):
+    arm = robot()
+    ends = np.array([link.limits or (-pi, pi) for link in arm.links])
+    q = ends[:, 0] + (ends[:, 1] - ends[:, 0]) * r_sequence(arm.n, 0, 5000, 3).T
+    points = kl.workspace(arm, 5000, seed=3).points
+    close(points, kl.forward_kinematics(arm, q)[:, :3, 3], atol=1e-9)
+    assert np.linalg.norm(points - arm.base[:3, 3], axis=1).max() <= reach(arm)
+
+
+def test_a_base_and_a_tilt():
+    tilt = kl.homogeneous(kl.rotation_x(1.0), [3, 4, 5])
+    arm = kl.robots.cylindrical()
+    moved = kl.Arm(arm.links, base=tilt)
+    there, here = kl.workspace(moved, 5000), kl.workspace(arm, 5000)
+    close(there.points, kl.apply(tilt, here.points), atol=1e-12)
+    close(there.radii_and_heights(), here.radii_and_heights(), atol=1e-12)
+
+
+@pytest.mark.parametrize("dimensions", range(1, 8))
+def test_the_sequence_is_even(dimensions):
+    """Every box of an eighth holds its share, far closer than random numbers would."""
+    u = r_sequence(dimensions, 0, 20_000, 0)
+    assert u.shape == (dimensions, 20_000) and 0 <= u.min() and u.max() < 1
+    for row in u:
+        close(np.histogram(row, bins=8, range=(0, 1))[0], 2500, atol=25)
+    close(r_sequence(dimensions, 700, 5, 0), u[:, 700:705], atol=1e-9)
+    assert not np.allclose(r_sequence(dimensions, 0, 5, 1), u[:, :5])
+
+
+def test_the_same_seed_gives_the_same_points():
+    arm = kl.robots.alpha_ii()
+    assert np.array_equal(kl.workspace(arm, 999, seed=4).points,
+                          kl.workspace(arm, 999, seed=4).points)
+
+
+def test_memory_is_that_of_the_points():
+    arm = kl.robots.intelledex_660t()
+    tracemalloc.start()
+    reached = kl.workspace(arm, 300_000)
+    peak = tracemalloc.get_traced_memory()[1]
+    tracemalloc.stop()
+    assert peak < reached.points.nbytes + 6e6
+
+
+def test_progress_is_told():
+    told = []
+    kl.workspace(kl.robots.two_link(), 10_000, progress=lambda *state: told.append(state))
+    assert told[-1] == (10_000, 10_000) and told == sorted(told) and len(told) == 3
+
+
+class Terminal(io.StringIO):
+    def isatty(self):
+        return True
+
+
+def test_a_bar_appears_in_a_terminal_and_goes(monkeypatch):
+    monkeypatch.setattr("sys.stderr", Terminal())
+    monkeypatch.setattr(sampling, "PATIENCE", -1)
+    kl.workspace(kl.robots.two_link(), 20_000)
+    text = sampling.sys.stderr.getvalue()
+    assert "workspace |#####                    | 20 %" in text and text.endswith("\r\x1b[K")
+
+
+def test_no_bar_for_short_work_or_without_a_terminal(monkeypatch, capsys):
+    kl.workspace(kl.robots.two_link(), 20_000)
+    assert capsys.readouterr().err == ""
+    monkeypatch.setattr("sys.stderr", Terminal())
+    kl.workspace(kl.robots.two_link(), 20_000)
+    assert sampling.sys.stderr.getvalue() == ""
+
+
+def test_slices():
+    reached = kl.workspace(kl.robots.alpha_ii(), 20_000)
+    slab = reached.slice("z", 215, 20)
+    assert 0 < len(slab) < 20_000 and np.abs(slab[:, 2] - 215).max() <= 10
+    assert len(reached.slice("x", 1e6)) == 0 and len(reached.slice("y", 0)) > 0
+
+
+def test_density_is_highest_where_poses_gather():
+    counts, radii, heights = kl.workspace(kl.robots.cylindrical(), 200_000).density(10)
+    assert counts.shape == (10, 10) and counts.max() == 1 and len(radii) == len(heights) == 11
+    close(counts[0], 1, atol=0.1)     # poses per volume fall as 1/r on a cylindrical arm
+    close(counts[-1], 0.15 / 0.6, atol=0.06)
+
+
+@pytest.mark.parametrize("picture, words", [
+    (kl.slice_picture, "slice y = 0 mm"), (kl.envelope_picture, "reach envelope"),
+    (kl.density_picture, "density")])
+def test_pictures_name_what_they_show(picture, words):
+    reached = kl.workspace(kl.robots.alpha_ii(), 5000)
+    fig = picture(reached)
+    ax = fig.axes[0]
+    assert ax.get_title() == f"Alpha II: {words}"
+    assert "(mm)" in ax.get_xlabel() and "(mm)" in ax.get_ylabel()
+    out = io.BytesIO()
+    fig.savefig(out)
+    assert out.tell() > 5000
+
+
+def test_pictures_of_a_planar_arm():
+    reached = kl.workspace(kl.robots.two_link(), 2000)
+    for picture in (kl.envelope_picture, kl.density_picture):
+        picture(reached).savefig(io.BytesIO())
+    kl.slice_picture(reached, "z").savefig(io.BytesIO())
+
+
+def test_bad_input():
+    with pytest.raises(ValueError, match=r"^arm: expected limits on every prismatic joint"):
+        kl.workspace(kl.Arm([kl.prismatic()]))
+    reached = kl.workspace(kl.robots.two_link(), 10)
+    for call, name in [(lambda: reached.slice("w", 0), "axis"),
+                       (lambda: reached.slice("x", "0"), "at"),
+                       (lambda: reached.slice("x", 0, -1), "thickness"),
+                       (lambda: reached.envelope(0), "bins"),
+                       (lambda: reached.density(2.5), "bins"),
+                       (lambda: kl.slice_picture(reached.points), "reached")]:
+        with pytest.raises(ValueError, match=f"^{name}: expected "):
+            call()
