@@ -49,7 +49,7 @@ def test_any_two_ways_count_within_two_centimetres(answer):
 
 
 def test_a_way_that_misses_by_more_does_not_count():
-    assert "Pair 1" in check("start_here.5", WAYS + [[0.02, 0.02], [0, 0]]).message
+    assert "Pair 1" in check("start_here.5", WAYS + [[0.008, 0.008], [0, 0]]).message
 
 
 def test_which_products_mean_something_is_true_of_them():
