@@ -220,7 +220,9 @@ def _first(slips: Sequence[Slip], matches: Callable) -> list[str]:
 
 def _parts(answer: Any, names: Any, noun: str) -> list:
     """The parts of an answer that comes as a list, a tuple, an array or a sympy matrix."""
-    wanted = f"{len(names)} {noun}{'s' * (len(names) > 1)}: {', '.join(names)}"
+    every = list(names)
+    listed = every if len(every) < 7 else [every[0], "...", every[-1]]
+    wanted = f"{len(every)} {noun}{'s' * (len(every) > 1)}: {', '.join(listed)}"
     _refuse_stub(answer, f"Give {wanted}.")
     if isinstance(answer, (str, bytes, dict, set)) or not hasattr(answer, "__len__"):
         raise Wrong(f"Expected {wanted}, in a list; got {checks.brief(answer)}.")

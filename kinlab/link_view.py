@@ -18,12 +18,13 @@ from . import checks
 from .arm import CONVENTIONS, Arm, _check_arm
 from .arm_scene import arm_scene, joint_range
 from .arm_view import _one_pose, joint_knob
+from .draw import camera
 from .live import Knob, LiveView, decimals
 from .motions import ROTATE, Motion, X, Z
-from .scene import Amount, Point, Scene, Vector, at, subscript
+from .scene import SPATIAL, Amount, Point, Scene, Vector, at, subscript
 from .sketch import Sketch
 
-_AXES = np.eye(3)
+_AXES, _VIEW = np.eye(3), camera(*SPATIAL["3-D"])[2]
 _LETTERS = {"theta": "θ", "d": "d", "a": "a", "alpha": "α"}
 _HIDDEN = ("frame-", "label-", "axis-", "trace", "ghost")
 _HALF, _HEAD, _END = 8, 14, 16  # frames along a sweep: its middle, its arrow head, its end
@@ -63,7 +64,8 @@ def parameters_view(arm: Arm, link: int, q: Any = None) -> LiveView:
     (array([40.]),)
     """
     sketch = _LinkSketch(arm, link, q)
-    sketch.read_parameters(sketch.frames)
+    for k, parameter in enumerate(sketch.parameters):
+        sketch.reading(parameter, sketch.rule(k), Amount(sketch.frames[k + 1]))
     return sketch.view(panels={"pose": sketch.table(f"A{subscript(str(link))}", str(link))})
 
 
@@ -82,7 +84,7 @@ def motions_view(arm: Arm, link: int, q: Any = None) -> LiveView:
     (array([88.9]),)
     """
     sketch = _LinkSketch(arm, link, q)
-    sketch.read_parameters(sketch.travel())
+    sketch.travel()
     home = [knob.home for knob in sketch.knobs[:-1]]
     return sketch.view(panels={"poses": [[*home, done] for done in range(5)],
                                "pose": sketch.table("The frame on its way", "")})
@@ -101,9 +103,10 @@ class _LinkSketch(Sketch):
         self.arm, self.link, drawn = arm, int(link), arm_scene(arm)
         self.steps, self.over = list(drawn.motions), drawn.radius
         self.items = [item for item in drawn.items if not item.gid.startswith(_HIDDEN)]
-        start = _one_pose(arm, arm.home if q is None else q).tolist()
-        self.knobs = [replace(joint_knob(arm, i), home=start[i]) for i in range(arm.n)]
+        self.start = _one_pose(arm, arm.home if q is None else q).tolist()
+        self.knobs = [replace(joint_knob(arm, i), home=self.start[i]) for i in range(arm.n)]
         self.motions = arm.chain[link]
+        self.parameters = [parameter for _, _, parameter in CONVENTIONS[arm.convention]]
         self.radius = _closeness(arm, self.motions, drawn.radius)
         ends = list(accumulate(sum(not m.idle for m in part) for part in arm.chain))
         self.first, self.tip = ends[link - 1], ends[link]
@@ -122,25 +125,22 @@ class _LinkSketch(Sketch):
                 "columns": [*columns, {"name": f"o{name}", "title": f"origin, from O{before}"}],
                 "decimals": decimals(self.radius), "base": self.first}
 
-    def read_parameters(self, frames: list[int]) -> None:
-        """Under the picture, how far each motion goes that leads to these frames."""
-        for k, (_, _, parameter) in enumerate(CONVENTIONS[self.arm.convention]):
-            self.reading(parameter, self._rule(k), Amount(frames[k + 1]))
-
-    def travel(self) -> list[int]:
+    def travel(self) -> None:
         """A frame that a knob carries from frame i-1 to frame i, with the path of its origin."""
-        done = self.knob(Knob.length("motion", "motions done", 0, 4))
+        done = self.knob(Knob.length("motion", "motion", 0, 4, title="motions done"))
         frames = [self.first]
         for k, motion in enumerate(self.motions):
             frames.append(self.move(motion.kind, motion.axis, motion.amount, motion.joint,
                                     frames[-1], scrub=(done, k)))
+            verb = "turn about" if motion.kind == ROTATE else "slide along"
+            self.reading(self.parameters[k], f"{k + 1}. {verb} {'xyz'[motion.axis]} by "
+                         f"{self._name(k)}: {{}}{self._unit(motion)}", Amount(frames[-1]))
         self.line("path", (at(frame, (0, 0, 0))[0] for frame in frames), "trace")
         self.axes("", frames[-1], 0.3 * self.radius)
-        self.reading("o", f"o = {{}} {self.unit}, seen from frame {self.link - 1}",
+        self.reading("o", f"origin at {{}} {self.unit}, seen from frame {self.link - 1}",
                      Vector(*(at(frame, (0, 0, 0))[0] for frame in (self.first, frames[-1])),
                             self.first, 3))
         self.tip = frames[-1]
-        return frames
 
     def _walk(self, motions: Iterable[Motion], slides: float = 1.0) -> list[int]:
         """The frames before, between and after the motions, on a branch of their own."""
@@ -174,7 +174,7 @@ class _LinkSketch(Sketch):
 
     def _dimension(self, k: int, style: str, before: int, after: int) -> None:
         """Beside the link, between two short lines out from where the slide begins and ends."""
-        beside = -0.16 * self.radius * _AXES[X if style == "z" else Z]
+        beside = 0.16 * self.radius * self._sideways(before, *((Z, X) if style == "z" else (X, Z)))
         for frame in (before, after):
             self.line(f"edge-{k}-{frame}", at(frame, (0, 0, 0), 1.2 * beside), style)
         tail, head = (at(frame, beside)[0] for frame in (before, after))
@@ -182,20 +182,28 @@ class _LinkSketch(Sketch):
         middle = self._part(self.steps[after - 1], before, 0.5)
         self.label(self._name(k), at(middle, 1.5 * beside)[0], style)
 
+    def _sideways(self, frame: int, axis: int, other: int) -> np.ndarray:
+        """Across an axis of a frame and across the view at first; not towards the other axis."""
+        R = self.scene().frames(self.start)[frame][:3, :3]
+        across = R.T @ np.cross(_VIEW, R[:, axis])
+        if np.linalg.norm(across) < 0.1:  # seen end on: any direction serves
+            across = _AXES[other]
+        return across / np.linalg.norm(across) * (-1 if across[other] > 0 else 1)
+
     def _name(self, k: int) -> str:
         """The k-th parameter with its index: a and alpha of a modified row i have i-1."""
-        parameter = CONVENTIONS[self.arm.convention][k][2]
+        parameter = self.parameters[k]
         behind = self.arm.convention == "modified" and parameter in ("a", "alpha")
         return _LETTERS[parameter] + subscript(str(self.link - behind))
 
-    def _rule(self, k: int) -> str:
+    def rule(self, k: int) -> str:
         """How the k-th parameter is measured, with its name in front and a place for its value."""
         turns, axis = self.motions[k].kind == ROTATE, self.motions[k].axis
         old, new = (subscript(str(i)) for i in (self.link - 1, self.link))
         other, own = ("x", "z") if axis == Z else ("z", "x")
         first = (axis == Z) == (self.arm.convention == "standard")
-        return (f"{self._equation(k)} = {{}}{'°' if turns else f' {self.unit}'} from {other}{old} "
-                f"to {other}{new}, {'about' if turns else 'along'} {own}{old if first else new}")
+        return (f"{self._equation(k)} = {{}}{self._unit(self.motions[k])}, from {other}{old} "
+                f"to {other}{new} {'about' if turns else 'along'} {own}{old if first else new}")
 
     def _equation(self, k: int) -> str:
         """The name; for a joint variable with its star, and with the joint's offset."""
@@ -204,9 +212,12 @@ class _LinkSketch(Sketch):
             return name
         if not motion.amount:
             return f"{name}*"
-        offset = np.degrees(motion.amount) if motion.kind == ROTATE else motion.amount
-        return f"{name} = {name}* {'-' if offset < 0 else '+'} {abs(offset):.6g}" + (
-            "°" if motion.kind == ROTATE else "")
+        offset = math.degrees(motion.amount) if motion.kind == ROTATE else motion.amount
+        sign = "-" if offset < 0 else "+"
+        return f"{name} = {name}* {sign} {abs(offset):.6g}{self._unit(motion)}"
+
+    def _unit(self, motion: Motion) -> str:
+        return "°" if motion.kind == ROTATE else f" {self.unit}"
 
     def _add(self, gid: str, shape: str, style: str, points: Iterable[Point], text: str = "",
              lift: float = 0.0) -> None:

@@ -31,7 +31,7 @@ def sliding_view() -> LiveView:
 
 def riding_view() -> LiveView:
     """Frame 1 slides and takes the point c along."""
-    sketch = Sketch("A frame that slides and takes a point along", 4)
+    sketch = Sketch("A frame that slides and takes a point along", 5)
     x, y = _knobs(sketch, "o", "o", (-2, -1))
     frame, halfway = _frame(sketch, "1", x, y)
     point = sketch.point("c", frame, (1, 2))
