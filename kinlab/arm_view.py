@@ -120,8 +120,8 @@ def joint_knob(arm: Arm, i: int) -> Knob:
 def _pose_table(arm: Arm, size: float) -> dict:
     tool = str(arm.n) if np.array_equal(arm.tool, np.eye(4)) else "E"
     columns = [{"name": name, "title": title} for name, title in _COLUMNS]
-    return {"title": f"T₀{subscript(tool)}, the pose of the tool", "columns": columns,
-            "decimals": decimals(size), "unit": arm.unit}
+    return {"title": f"T₀{subscript(tool)}, the pose of the tool", "said": "tool",
+            "columns": columns, "decimals": decimals(size), "unit": arm.unit}
 
 
 def _tour(knobs: Sequence[Knob]) -> np.ndarray:

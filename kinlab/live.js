@@ -266,7 +266,8 @@ function poseTable(pose) {
     }));
   };
   const text = () => cells.slice(0, rows).map((row) => row[rows].textContent).join(", ");
-  return { node: table, update, text: () => whole ? `at ${text()} ${pose.unit}` : "" };
+  const said = () => whole ? `${pose.said ?? "origin"} at ${text()} ${pose.unit}` : "";
+  return { node: table, update, text: said };
 }
 
 /** Formulas under the picture, whose vectors and amounts follow the knobs. */
