@@ -69,9 +69,10 @@ def same_mechanism(answer: Arm, reference: Arm, *, strict: bool = False) -> Verd
     if fault:
         return Verdict(NOT_YET, fault)
     mine, theirs = axes_of(answer), axes_of(reference)
-    match = matched(mine, theirs)
+    layout = Layout(theirs)
+    match = matched(mine, layout)
     if match.faults:
-        return Verdict(NOT_YET, _refusal(answer, mine, theirs, match))
+        return Verdict(NOT_YET, _refusal(answer, mine, layout, match))
     stance = _stance(answer, reference, mine, theirs, match) if strict else ""
     return Verdict(NOT_YET, stance) if stance else Verdict(CORRECT, _praise(mine, theirs, answer,
                                                                             reference, match))
@@ -98,14 +99,14 @@ def _count(n: int) -> str:
 # ---- A wrong table -------------------------------------------------------------------------------
 
 
-def _refusal(answer: Arm, mine: Axes, theirs: Axes, match: Match) -> str:
+def _refusal(answer: Arm, mine: Axes, layout: Layout, match: Match) -> str:
     other, = set(CONVENTIONS) - {answer.convention}
-    if not matched(axes_of(replace(answer, convention=other)), theirs).faults:
+    if not match.single and not matched(axes_of(replace(answer, convention=other)), layout).faults:
         return (f"These numbers fit the {other} convention and were read as {answer.convention}. "
                 f"Say convention='{other}', or move alpha and a by one row.")
     fault = match.faults[0]
     speak = {"alpha": _twisted, "theta": _bent, "a": _long, "d": _off}[fault.parameter]
-    return speak(fault, answer, mine, theirs, match) + _rounded(fault)
+    return speak(fault, answer, mine, layout, match) + _rounded(fault)
 
 
 def _start(fault: Fault, answer: Arm) -> str:
@@ -132,8 +133,8 @@ def _apart(a: float, b: float) -> tuple[str, str]:
     return texts
 
 
-def _twisted(fault: Fault, answer: Arm, mine: Axes, theirs: Axes, match: Match) -> str:
-    i, angle = fault.row, fault.expected
+def _twisted(fault: Fault, answer: Arm, mine: Axes, layout: Layout, match: Match) -> str:
+    i, angle, theirs = fault.row, fault.expected, layout.axes
     length = mine.a[i] * theirs.a[i] * np.sign(theirs.x[i] @ theirs.normal(i))
     side = match.signs[i] * match.signs[i + 1] * np.sign(length)
     if mine.turns[i] and mine.turns[i + 1] and abs(length) > TOLERANCE * mine.longest ** 2:
@@ -145,12 +146,12 @@ def _twisted(fault: Fault, answer: Arm, mine: Axes, theirs: Axes, match: Match) 
     return f"{_start(fault, answer)}; from {a} to {b} it should be {texts}."
 
 
-def _bent(fault: Fault, answer: Arm, mine: Axes, theirs: Axes, match: Match) -> str:
+def _bent(fault: Fault, answer: Arm, mine: Axes, layout: Layout, match: Match) -> str:
     return (f"{_start(fault, answer)}; it should be {_shown(fault)[1]}. A prismatic joint does "
             "not turn, so q cannot make up for this angle: the row has to hold it.")
 
 
-def _long(fault: Fault, answer: Arm, mine: Axes, theirs: Axes, match: Match) -> str:
+def _long(fault: Fault, answer: Arm, mine: Axes, layout: Layout, match: Match) -> str:
     i = fault.row
     text = f"{_start(fault, answer)}; it should be {_shown(fault)[1]}"
     if abs(fault.got + fault.expected) > TOLERANCE * abs(fault.got):
@@ -162,19 +163,18 @@ def _long(fault: Fault, answer: Arm, mine: Axes, theirs: Axes, match: Match) -> 
     return f"{text}: its sign is wrong."
 
 
-def _off(fault: Fault, answer: Arm, mine: Axes, theirs: Axes, match: Match) -> str:
-    run = next(run for run in Layout(theirs).runs if fault.row in run)
+def _off(fault: Fault, answer: Arm, mine: Axes, layout: Layout, match: Match) -> str:
+    run = next(run for run in layout.runs if fault.row in run)
     turning = [f"d{i + 1}" for i in run if mine.turns[i]]
     text = f"{_start(fault, answer)}; it should be {_shown(fault)[1]}"
     if len(turning) < 2:
         return f"{text}."
-    return (f"{text}. The axes of these joints are parallel, so only the sum of "
-            f"{', '.join(turning)} counts.")
+    return f"{text}. These axes are parallel: {', '.join(turning)} count only together."
 
 
 def _rounded(fault: Fault) -> str:
-    close = abs(fault.got - fault.expected) < 1e-4 * abs(fault.expected)
-    if close and fault.parameter in ("alpha", "theta"):
+    close = abs(abs(fault.got) - abs(fault.expected)) < 2e-3
+    if close and fault.expected and fault.parameter in ("alpha", "theta"):
         return " It looks rounded: write pi/2 rather than 1.57."
     if abs(fault.got) > 2 * pi + TOLERANCE and fault.parameter in ("alpha", "theta"):
         return " Angles are in radians: write radians(90) for 90°."
@@ -245,11 +245,14 @@ def _turn(axis: np.ndarray, z: np.ndarray, wanted: np.ndarray, arm: np.ndarray,
 
 
 def _tool(axes: Axes) -> np.ndarray:
-    return forward_kinematics(replace(axes.arm, base=None), np.zeros(axes.n))
+    """The tool at q = 0 in axes like the room's, at the origin of frame 0."""
+    T = forward_kinematics(axes.arm, np.zeros(axes.n))
+    T[:3, 3] -= axes.arm.base[:3, 3]
+    return T
 
 
 def _points(axes: Axes) -> np.ndarray:
-    """A point on each axis, at q = 0, seen from frame 0."""
+    """A point on each axis at q = 0, in the same frame."""
     return np.vstack([np.zeros(3), np.cumsum(axes.steps(), axis=0)[:-1]])
 
 

@@ -22,7 +22,8 @@ Flipped axes change signs of these numbers. All sign patterns that the twists al
 """
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from collections.abc import Callable
+from dataclasses import dataclass
 from functools import cached_property
 from itertools import pairwise
 from typing import NamedTuple
@@ -36,7 +37,7 @@ from .kinematics import link_frames
 TOLERANCE = 5e-7
 ROUNDING = 1e-9  # of the longest length
 FLAT = 1e-6  # a smaller singular value or slope is rounding noise
-MOST_PATTERNS = 4096
+MOST_PATTERNS, MOST_COMPARED = 4096, 256
 
 
 def cross(u: np.ndarray, v: np.ndarray) -> np.ndarray:
@@ -83,9 +84,9 @@ class Axes(NamedTuple):
 
 
 def axes_of(arm: Arm) -> Axes:
-    """The joint axes of an arm, base left out: it is free."""
+    """The joint axes of an arm."""
     arm = to_standard(arm)
-    frames = link_frames(replace(arm, base=None), np.zeros(arm.n))
+    frames = link_frames(arm, np.zeros(arm.n))
     values = np.array([(link.a, link.d) for link in arm.links])
     turns = np.array([link.kind == REVOLUTE for link in arm.links])
     return Axes(arm, turns, frames[:-1, :3, 2], frames[1:, :3, 0], *values.T)
@@ -132,6 +133,10 @@ class Layout:
         start_of_next = {i: run.stop for run in self.runs for i in run}
         return [Group(p, q, start_of_next[p] if start_of_next[p] <= q else None)
                 for p, q in pairwise(turning)]
+
+    @cached_property
+    def steps(self) -> np.ndarray:
+        return stacked(self.axes, self)[0]
 
     @cached_property
     def fixed(self) -> np.ndarray:
@@ -215,30 +220,33 @@ class Fault(NamedTuple):
 
 
 class Match(NamedTuple):
-    """The best way to lay the answer's axes upon the reference's."""
+    """The best way to lay the answer's axes upon the reference's.
+
+    `single` where at most one number of the table is off.
+    """
 
     signs: np.ndarray
     faults: list[Fault]
+    single: bool
 
 
-def matched(answer: Axes, reference: Axes) -> Match:
+def matched(answer: Axes, layout: Layout) -> Match:
     """Lay the axes of one arm upon those of another with the same joints."""
-    layout = Layout(reference)
+    reference = layout.axes
     signs, off = _patterns(answer, layout)
     steps, slopes = stacked(answer, layout)
-    gaps = (flips(signs, layout) * steps - stacked(reference, layout)[0]) @ layout.fixed
+    flipped = flips(signs, layout)
+    gaps = (flipped * steps - layout.steps) @ layout.fixed
     size = np.linalg.norm(gaps, axis=1)
     size[size <= ROUNDING * reference.longest] = 0
-    order = np.lexsort(((signs < 0).sum(axis=1), size, off))[:256]
-    found = []
-    for pattern, gap, angles in zip(signs[order], gaps[order], off[order]):
-        bars = (flips(pattern[None], layout) * slopes) @ layout.fixed
-        lengths, cost = _lengths(answer, reference, gap, bars)
-        if not angles and not lengths:
-            return Match(pattern, [])
-        found.append((angles + 0.6 * cost, pattern, lengths))
-    _, pattern, lengths = min(found, key=lambda one: one[0])
-    return Match(pattern, [*_angles(answer, layout, pattern), *lengths])
+    order = np.lexsort(((signs < 0).sum(axis=1), size, off))[:MOST_COMPARED]
+    signs, off, gaps = signs[order], off[order], gaps[order]
+    bars = (flipped[order][:, None] * slopes.reshape(2 * answer.n, -1)) @ layout.fixed
+    cost, fault = _lengths(answer, reference, gaps, bars)
+    best = np.argmin(off + 0.6 * cost)
+    lengths = [fault(best)] if cost[best] else []
+    return Match(signs[best], [*_angles(answer, layout, signs[best]), *lengths],
+                 bool(off[best] + cost[best] < 2))
 
 
 def _patterns(answer: Axes, layout: Layout) -> tuple[np.ndarray, np.ndarray]:
@@ -259,28 +267,32 @@ def _patterns(answer: Axes, layout: Layout) -> tuple[np.ndarray, np.ndarray]:
     return signs, off
 
 
-def _lengths(answer: Axes, reference: Axes, gap: np.ndarray,
-             bars: np.ndarray) -> tuple[list[Fault], tuple]:
-    """The length that explains a gap between the steps, if any, and what that costs.
+def _lengths(answer: Axes, reference: Axes, gaps: np.ndarray,
+             bars: np.ndarray) -> tuple[np.ndarray, Callable[[int], Fault]]:
+    """What it costs to explain the gap of each sign pattern by one length, and that length.
 
     A gap is explained by a length whose slope it follows. Where several do (offsets along
     parallel axes add up), the one that brings back the reference's own number is taken.
     """
-    values, sizes = np.stack([answer.a, answer.d], axis=1), (bars ** 2).sum(axis=-1)
-    longest = max(answer.longest, reference.longest)
-    change = np.where(sizes > FLAT ** 2, bars @ gap / np.maximum(sizes, FLAT ** 2), 0)
-    if (np.all(np.abs(change) <= TOLERANCE * np.abs(values) + ROUNDING * longest)
-            and np.linalg.norm(gap) <= FLAT * longest):
-        return [], 0
-    left = np.linalg.norm(gap - change[..., None] * bars, axis=-1)
-    expected = values - change
-    original = np.abs(np.stack([reference.a, reference.d], axis=1))
-    strange = np.abs(np.abs(expected) - original) > ROUNDING * longest
-    explained = left <= ROUNDING * longest + 1e-3 * np.linalg.norm(gap)
-    choice = np.lexsort((strange.ravel(), np.where(explained, 0, left).ravel()))[0]
-    row, column = np.unravel_index(choice, values.shape)
-    cost = 2 - explained[row, column] + 0.1 * strange[row, column]
-    return [Fault("ad"[column], int(row), values[row, column], expected[row, column])], cost
+    values = np.stack([answer.a, answer.d], axis=1).ravel()
+    originals = np.abs(np.stack([reference.a, reference.d], axis=1).ravel())
+    noise, sizes = ROUNDING * max(answer.longest, reference.longest), (bars ** 2).sum(axis=-1)
+    change = (bars @ gaps[..., None])[..., 0] / np.maximum(sizes, FLAT ** 2)
+    change[sizes <= FLAT ** 2] = 0
+    gap = np.linalg.norm(gaps, axis=1, keepdims=True)
+    right = np.all(np.abs(change) <= TOLERANCE * np.abs(values) + noise, axis=1) & (
+        gap[:, 0] <= noise * FLAT / ROUNDING)
+    left = np.linalg.norm(gaps[:, None] - change[..., None] * bars, axis=-1)
+    strange = np.abs(np.abs(values - change) - originals) > noise
+    cost = np.where(left <= noise + 1e-3 * gap, 1 + 0.1 * strange,
+                    2 + 0.1 * left / np.maximum(gap, noise))
+    choice = np.argmin(cost, axis=1)
+
+    def fault(pattern: int) -> Fault:
+        k = choice[pattern]
+        got, by = float(values[k]), float(change[pattern, k])
+        return Fault("ad"[k % 2], int(k // 2), got, got - by)
+    return np.where(right, 0, cost.min(axis=1)), fault
 
 
 def _angles(answer: Axes, layout: Layout, signs: np.ndarray) -> list[Fault]:
@@ -300,6 +312,7 @@ def _angles(answer: Axes, layout: Layout, signs: np.ndarray) -> list[Fault]:
 
 def _bent(answer: Axes, layout: Layout, run: range, change: float) -> Fault:
     """Parallel prismatic joints add up their angles: name the one that is not the reference's."""
-    rows, originals = answer.arm.links, layout.axes.arm.links
-    k = min(run, key=lambda i: abs(wrapped(rows[i].theta + change - originals[i].theta)))
-    return Fault("theta", k, rows[k].theta, rows[k].theta + float(change))
+    changes = {i: change * np.sign(answer.z[i] @ answer.z[run[0]]) for i in run}
+    mine, theirs = ([link.theta for link in axes.arm.links] for axes in (answer, layout.axes))
+    k = min(run, key=lambda i: abs(wrapped(mine[i] + changes[i] - theirs[i])))
+    return Fault("theta", k, mine[k], float(mine[k] + changes[k]))

@@ -64,13 +64,10 @@ def parse_number(text: str, names: Mapping[str, float] | None = None) -> float:
     try:
         value, _ = _value(ast.parse(_spelled(text, known), mode="eval").body, known)
         _refuse_if(not abs(value) <= checks.LARGEST, "it is too large")
-    except (SyntaxError, MemoryError, RecursionError):
-        raise _wrong(text, "look for a missing operator or bracket") from None
-    except (OverflowError, ZeroDivisionError) as error:
-        large = isinstance(error, OverflowError)
-        raise _wrong(text, "it is too large" if large else "it divides by zero") from None
-    except _Refused as refused:
-        raise _wrong(text, str(refused)) from None
+    except (*_REASONS, SyntaxError, MemoryError, RecursionError) as error:
+        reason = _REASONS.get(type(error), "look for a missing operator or bracket")
+        raise ValueError(f"{checks.brief(text)}: expected a number such as -90 deg, pi/2 or 177.8; "
+                         f"{reason or error}") from None
     return value + 0.0  # no -0.0
 
 
@@ -78,14 +75,13 @@ class _Refused(Exception):
     """Why the text is no number."""
 
 
+_REASONS = {OverflowError: "it is too large", ZeroDivisionError: "it divides by zero",
+            _Refused: ""}
+
+
 def _refuse_if(condition: bool, reason: str) -> None:
     if condition:
         raise _Refused(reason)
-
-
-def _wrong(text: str, reason: str) -> ValueError:
-    return ValueError(f"{checks.brief(text)}: expected a number such as -90 deg, pi/2 or 177.8; "
-                      f"{reason}")
 
 
 def _known(names: Mapping[str, float]) -> dict[str, float]:
@@ -111,17 +107,13 @@ def _spelled(text: str, known: Mapping[str, float]) -> str:
     while position < len(text):
         match = _TOKEN.match(text, position)
         if not match:
-            raise _Refused(_strange(text[position:].lstrip()[0]))
+            strange = checks.brief(text[position:].lstrip()[0])
+            raise _Refused("write the decimal point as . and not as ," if strange == "','"
+                           else f"{strange} has no place in a number")
         position, token = match.end(), match[match.lastgroup]
         tokens.append(_read(token, match.lastgroup, before, known))
         before = token
     return " ".join(tokens)
-
-
-def _strange(character: str) -> str:
-    if character == ",":
-        return "write the decimal point as . and not as ,"
-    return f"{checks.brief(character)} has no place in a number"
 
 
 def _read(token: str, kind: str, before: str, known: Mapping[str, float]) -> str:
@@ -151,7 +143,11 @@ def _value(node: ast.AST, known: Mapping[str, float]) -> tuple[float, bool]:
         case ast.BinOp():
             return _combined(node.op, _value(node.left, known), _value(node.right, known))
         case ast.Call(args=[argument], keywords=[]):
-            return _applied(node.func.id, *_value(argument, known)), False
+            value, angle = _value(argument, known)
+            root = node.func.id == "sqrt"
+            _refuse_if(root and angle, "an angle has no square root")
+            _refuse_if(root and value < 0, "a root of a negative number is not real")
+            return _FUNCTIONS[node.func.id](value), False
     raise _Refused("write a function with its argument in brackets, such as sqrt(2)")
 
 
@@ -167,10 +163,3 @@ def _combined(op: ast.operator, left: tuple, right: tuple) -> tuple[float, bool]
                    f"expected a power of a number, up to {LARGEST_POWER}")
         _refuse_if(a < 0 and b != int(b), "a root of a negative number is not real")
     return _OPERATORS[type(op)](a, b), a_angle or b_angle
-
-
-def _applied(function: str, value: float, angle: bool) -> float:
-    if function == "sqrt":
-        _refuse_if(angle, "an angle has no square root")
-        _refuse_if(value < 0, "a root of a negative number is not real")
-    return _FUNCTIONS[function](value)
