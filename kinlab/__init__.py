@@ -18,6 +18,7 @@ _NAMES = {
     "workspace_plots": ("density_picture", "envelope_picture", "slice_picture"),
     "symbolic": ("ClosedForm", "closed_form", "jacobian_form"),
     "examiner": ("same_mechanism",),
+    "frame_placement": ("examine_frames",),
     "parsing": ("parse_number",),
     "euler": ("ZYZAngles", "zyz_angles", "zyz_matrix"),
     "arm_view": ("ArmView",),
