@@ -18,10 +18,15 @@ from .scene import Scene
 _HERE = Path(__file__).parent
 
 
-class Canvas(anywidget.AnyWidget):
-    """The moving picture, its buttons and its table; live.js does the work."""
+def script(host: str) -> str:
+    """One JavaScript module: the live picture, and what ties it to its host."""
+    return "".join((_HERE / f"{name}.js").read_text(encoding="utf-8") for name in ("live", host))
 
-    _esm = _HERE / "live.js"
+
+class Canvas(anywidget.AnyWidget):
+    """The moving picture, its buttons and its table; live.js and jupyter.js do the work."""
+
+    _esm = script("jupyter")
     _css = _HERE / "live.css"
     svg = traitlets.Unicode().tag(sync=True)
     scene = traitlets.Dict().tag(sync=True)

@@ -1,0 +1,125 @@
+// Ties the live picture (live.js, which stands above this text in one module) to Jupyter: its
+// joints are ipywidgets' sliders, in degrees or lengths.
+
+const KEYS = { ArrowLeft: -1, ArrowDown: -1, ArrowRight: 1, ArrowUp: 1, PageDown: -10, PageUp: 10,
+               Home: -Infinity, End: Infinity };
+
+/**
+ * A slider that stops at whole steps under the hand but takes any value from elsewhere.
+ *
+ * With a step of its own, ipywidgets' slider rounds every value that it is given, those from
+ * Python too, and tells Python the rounded one. So it has none, and the steps are made here.
+ */
+class Joint {
+  constructor(slider, { step, scale }) {
+    Object.assign(this, { slider, step, scale, settled: slider.get("value") });
+    this.low = slider.get("min");
+    this.high = slider.get("max");
+    slider.on("change:value", (_, value, options) => this.settle(options));
+    // The slider's own view writes back what it was given, rounded: that is no change.
+    const set = slider.set.bind(slider);
+    slider.set = (key, value, options) =>
+      set(key, options?.updated_view && this.echoes(value) ? this.settled : value, options);
+  }
+
+  /** The one joint of a slider, however often it is shown: two would round for each other. */
+  static of(slider, data) {
+    if (!Joint.known.has(slider)) Joint.known.set(slider, new Joint(slider, data));
+    return Joint.known.get(slider);
+  }
+
+  static known = new WeakMap();
+
+  get value() { return this.slider.get("value"); }
+
+  echoes(value) { return Math.abs(value - this.settled) <= 1e-6 * this.step; }
+
+  /** Keep values from elsewhere exact, and round those that a hand on the slider makes. */
+  settle(options = {}) {
+    this.settled = options.updated_view ? this.snap(this.value) : this.value;
+    if (this.value !== this.settled) this.slider.set("value", this.settled);
+  }
+
+  press(steps, fine) {
+    const step = fine ? this.step / 10 : this.step;
+    const from = this.value / step, towards = steps > 0 ? Math.floor : Math.ceil;
+    const next = (towards(from + (steps > 0 ? 1e-6 : -1e-6)) + steps) * step;
+    this.slider.set("value", this.clip(Number(next.toPrecision(12))));
+    this.slider.save_changes();
+  }
+
+  snap(value) {
+    const ends = [this.low, this.high];             // the limits need not be whole steps
+    const whole = Number((Math.round(value / this.step) * this.step).toPrecision(12));
+    return ends.find((end) => Math.abs(value - end) < this.step / 4) ?? this.clip(whole);
+  }
+
+  clip(value) { return Math.max(this.low, Math.min(this.high, value)); }
+}
+
+async function sliderJoints(model, scene) {
+  const joints = await Promise.all(model.get("sliders").map(async (reference, i) => {
+    const id = reference.slice("IPY_MODEL_".length);
+    return Joint.of(await model.widget_manager.get_model(id), scene.joints[i]);
+  }));
+  const values = () => joints.map((joint) => joint.value * joint.scale);
+  let q = values();
+  return {
+    joints,
+    read: () => q,
+    write(wanted) {
+      joints.forEach(({ slider, scale }, i) => {
+        slider.set("value", wanted[i] / scale);
+        slider.save_changes();                      // else Python's echo of an older value wins
+      });
+    },
+    listen(callback) {
+      const take = () => {
+        if (model.get("hold")) return;              // Python is still setting the other joints
+        q = values();
+        callback();
+      };
+      joints.forEach(({ slider }) => slider.on("change:value", take));
+      model.on("change:hold", take);
+      return () => {
+        joints.forEach(({ slider }) => slider.off("change:value", take));
+        model.off("change:hold", take);
+      };
+    },
+  };
+}
+
+/** Arrow keys on a slider: a step; with Shift a tenth; Page keys ten steps; Home, End the limits. */
+function sliderKeys(panel, joints) {
+  const handle = (event) => {
+    if (event.target.getAttribute("role") !== "slider" || !(event.key in KEYS)) return;
+    const sliders = [...panel.querySelectorAll("[role=slider]")];
+    joints[sliders.indexOf(event.target)].press(KEYS[event.key], event.shiftKey);
+    event.preventDefault();
+    event.stopPropagation();
+  };
+  panel.addEventListener("keydown", handle, { capture: true });
+  return () => panel.removeEventListener("keydown", handle, { capture: true });
+}
+
+async function render({ model, el }) {
+  const scene = model.get("scene");
+  const joints = await sliderJoints(model, scene);
+  const live = mount(el, model.get("svg"), scene, joints);
+  const remark = () => live.note(model.get("note"));
+  model.on("change:note", remark);
+  remark();
+  let release = () => {};
+  const attach = requestAnimationFrame(() => {      // the view stands in the page by then
+    const panel = el.closest(".kl-view")?.querySelector(".kl-joints");
+    if (panel) release = sliderKeys(panel, joints.joints);
+  });
+  return () => {
+    cancelAnimationFrame(attach);
+    release();
+    model.off("change:note", remark);
+    live.dismount();
+  };
+}
+
+export default { render };
