@@ -1,9 +1,6 @@
 // Ties the live picture (live.js, which stands above this text in one module) to Jupyter: its
 // joints are ipywidgets' sliders, in degrees or lengths.
 
-const KEYS = { ArrowLeft: -1, ArrowDown: -1, ArrowRight: 1, ArrowUp: 1, PageDown: -10, PageUp: 10,
-               Home: -Infinity, End: Infinity };
-
 /**
  * A slider that stops at whole steps under the hand but takes any value from elsewhere.
  *
@@ -36,25 +33,14 @@ class Joint {
 
   /** Keep values from elsewhere exact, and round those that a hand on the slider makes. */
   settle(options = {}) {
-    this.settled = options.updated_view ? this.snap(this.value) : this.value;
+    this.settled = options.updated_view ? snap(this.value, this) : this.value;
     if (this.value !== this.settled) this.slider.set("value", this.settled);
   }
 
   press(steps, fine) {
-    const step = fine ? this.step / 10 : this.step;
-    const from = this.value / step, towards = steps > 0 ? Math.floor : Math.ceil;
-    const next = (towards(from + (steps > 0 ? 1e-6 : -1e-6)) + steps) * step;
-    this.slider.set("value", this.clip(Number(next.toPrecision(12))));
+    this.slider.set("value", stepped(this.value, steps, fine, this));
     this.slider.save_changes();
   }
-
-  snap(value) {
-    const ends = [this.low, this.high];             // the limits need not be whole steps
-    const whole = Number((Math.round(value / this.step) * this.step).toPrecision(12));
-    return ends.find((end) => Math.abs(value - end) < this.step / 4) ?? this.clip(whole);
-  }
-
-  clip(value) { return Math.max(this.low, Math.min(this.high, value)); }
 }
 
 async function sliderJoints(model, scene) {

@@ -169,7 +169,7 @@ class Picture {
   }
 }
 
-// ---- the pointer and the keys: drag or arrows orbit, wheel or +/- zooms, double click resets ----
+// ---- pointers and keys: drag or arrows orbit; wheel, pinch or +/- zoom; double click resets ----
 
 function orbit(box, picture, redraw, resetView) {
   const flat = Object.keys(picture.scene.presets).length === 1;   // a plane is seen from above
@@ -184,17 +184,27 @@ function orbit(box, picture, redraw, resetView) {
     picture.camera.zoom = Math.max(0.4, Math.min(8, picture.camera.zoom * factor));
     redraw();
   };
-  let last = null, scrolled = 0;
+  const held = new Map();                          // where each finger or the mouse is
+  const spread = () => {
+    const [[x, y], [u, v]] = held.values();
+    return Math.max(1, Math.hypot(x - u, y - v));
+  };
+  let scrolled = 0;
+  box.style.touchAction = flat ? "pan-y" : "none";   // a page scrolls on past a flat picture
   box.addEventListener("pointerdown", (event) => {
-    last = [event.clientX, event.clientY];
+    held.set(event.pointerId, [event.clientX, event.clientY]);
     box.setPointerCapture(event.pointerId);
   });
   box.addEventListener("pointermove", (event) => {
-    if (!last) return;
-    rotate((event.clientX - last[0]) * 0.5, (event.clientY - last[1]) * 0.5);
-    last = [event.clientX, event.clientY];
+    if (!held.has(event.pointerId)) return;
+    const [x, y] = held.get(event.pointerId), before = held.size === 2 && spread();
+    held.set(event.pointerId, [event.clientX, event.clientY]);
+    if (held.size === 1) rotate((event.clientX - x) * 0.5, (event.clientY - y) * 0.5);
+    if (before) zoom(spread() / before);
   });
-  for (const end of ["pointerup", "pointercancel"]) box.addEventListener(end, () => { last = null; });
+  for (const end of ["pointerup", "pointercancel"]) {
+    box.addEventListener(end, (event) => held.delete(event.pointerId));
+  }
   box.addEventListener("dblclick", resetView);
   box.addEventListener("wheel", (event) => {
     if (event.timeStamp - scrolled < 250) { scrolled = event.timeStamp; return; }
@@ -340,6 +350,26 @@ class Mover {
   }
 }
 
+// ---- steps: where a knob's slider stops under a hand, in the slider's units ----
+
+const KEYS = { ArrowLeft: -1, ArrowDown: -1, ArrowRight: 1, ArrowUp: 1, PageDown: -10, PageUp: 10,
+               Home: -Infinity, End: Infinity };
+
+const clip = (value, low, high) => Math.max(low, Math.min(high, value));
+
+/** The nearest whole step; the limits need not be whole steps, and hold as well. */
+function snap(value, { low, high, step }) {
+  const whole = Number((Math.round(value / step) * step).toPrecision(12));
+  return [low, high].find((end) => Math.abs(value - end) < step / 4) ?? clip(whole, low, high);
+}
+
+/** So many whole steps on, or tenths of them if `fine`. */
+function stepped(value, steps, fine, { low, high, step: whole }) {
+  const step = fine ? whole / 10 : whole, towards = steps > 0 ? Math.floor : Math.ceil;
+  const next = (towards(value / step + (steps > 0 ? 1e-6 : -1e-6)) + steps) * step;
+  return clip(Number(next.toPrecision(12)), low, high);
+}
+
 // ---- mount: one live arm in one element ----
 
 const MOVE = 700, TOUR = 900;                       // ms from pose to pose
@@ -418,8 +448,9 @@ export function mount(element, svg, scene, joints) {
     ["View", ...(presets.length > 1 ? presets : []).map((name) =>
       [name[0].toUpperCase() + name.slice(1), `View: ${name}`, () => look(name)])],
     ["Show", ...switches],
-    ["Screen", ["Full screen", "Fill the screen, with large type", () =>
-      document.fullscreenElement ? document.exitFullscreen() : whole().requestFullscreen()]],
+    ["Screen", ...(document.fullscreenEnabled ? [["Full screen", "Fill the screen, with large type",
+      () => document.fullscreenElement ? document.exitFullscreen() : whole().requestFullscreen(),
+    ]] : [])],
   ].filter((group) => group.length > 1));
   play = scene.poses.length ? bar.querySelectorAll("button")[2] : null;
   const buttons = [...bar.querySelectorAll('[aria-label="Show"] button')];

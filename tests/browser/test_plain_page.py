@@ -227,3 +227,39 @@ def test_a_screen_reader_hears_where_the_tool_is(page):
     assert page.get_by_role("img").get_attribute("aria-label") == (
         "Alpha II, tool at 485.1, 0.0, 215.0 mm")
     assert "Arrow keys" in page.locator(".kl-picture").get_attribute("aria-label")
+
+
+def touches(page):
+    """A function that makes a touch screen's events, as Chromium gets them from the system."""
+    wire = page.context.new_cdp_session(page)
+
+    def touch(kind, *points):
+        wire.send("Input.dispatchTouchEvent", {"type": f"touch{kind}", "touchPoints": [
+            {"x": x, "y": y, "id": k} for k, (x, y) in enumerate(points)]})
+
+    return touch
+
+
+def test_one_finger_turns_the_picture_and_two_zoom_it(browser, watched):
+    page = watched(browser.new_page(viewport={"width": 390, "height": 844}, has_touch=True))
+    page.evaluate(LOAD, SOURCE)
+    arm, touch = kl.robots.alpha_ii(), touches(page)
+    scene = mounted(page, arm, arm.home)
+    touch("Start", (150, 300))
+    touch("Move", (190, 300))
+    touch("Move", (190, 320))
+    touch("End")
+    assert_same_picture(page, scene, arm.home, (-60 - 20, 24 + 10, 1))
+    touch("Start", (150, 300), (250, 300))
+    touch("Move", (100, 300), (300, 300))
+    touch("End")
+    assert_same_picture(page, scene, arm.home, (-60 - 20, 24 + 10, 2))
+    page.close()
+
+
+def test_a_finger_on_a_flat_picture_scrolls_the_page(page):
+    view = kl.lessons.rotation.axes_view()
+    canvas = next(c for c in view.children if isinstance(c, anywidget.AnyWidget))
+    page.evaluate(LOAD, SOURCE)
+    page.evaluate(MOUNT, [canvas.svg, canvas.scene, [0.5]])
+    assert page.locator(".kl-picture").evaluate("box => box.style.touchAction") == "pan-y"
