@@ -1,6 +1,25 @@
 // Ties the live picture (live.js, which stands above this text in one module) to Jupyter: its
 // joints are ipywidgets' sliders, in degrees or lengths.
 
+const TELL = 100;                                   // ms between two messages to Python
+
+/**
+ * Make a slider tell Python its value at most every TELL ms, and always the last one.
+ *
+ * ipywidgets keeps what a slider has to say until its last message is answered; meanwhile it
+ * takes no echo of an older value, which would move the slider back. Here each message has one
+ * answer more, which comes after TELL ms.
+ */
+function spare(slider) {
+  const send = slider.send_sync_message.bind(slider);
+  slider.send_sync_message = (...message) => {
+    const id = send(...message);
+    slider._pending_msgs += 1;
+    setTimeout(() => slider._handle_status({ content: { execution_state: "idle" } }), TELL);
+    return id;
+  };
+}
+
 /**
  * A slider that stops at whole steps under the hand but takes any value from elsewhere.
  *
@@ -12,6 +31,7 @@ class Joint {
     Object.assign(this, { slider, step, scale, settled: slider.get("value") });
     this.low = slider.get("min");
     this.high = slider.get("max");
+    spare(slider);
     slider.on("change:value", (_, value, options) => this.settle(options));
     // The slider's own view writes back what it was given, rounded: that is no change.
     const set = slider.set.bind(slider);

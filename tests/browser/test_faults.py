@@ -1,0 +1,94 @@
+"""What a view does while it is dragged, and when its kernel, its page or its notebook goes."""
+import time
+
+import numpy as np
+import pytest
+from lab import run_code
+from reading import read, wait_for_kernel, wait_for_readouts
+
+import kinlab as kl
+
+ALPHA = kl.robots.alpha_ii
+SHOW = "import kinlab as kl, numpy as np\nview = kl.ArmView(kl.robots.alpha_ii())\nview"
+
+BUSY = ("import threading\n"
+        "threading.Thread(target=lambda: [sum(range(10**6)) for _ in range(150)]).start()")
+
+# Notes each value sent to the kernel, each value that a slider shows, and each picture.
+LISTEN = """view => {
+    const kernel = jupyterapp.shell.currentWidget.sessionContext.session.kernel;
+    Object.assign(window, {said: [], shown: [], drawn: new Set()});
+    kernel.anyMessage.connect((_, {direction, msg}) => {
+        const value = msg.content.data?.state?.value;
+        if (direction === 'send' && value !== undefined)
+            said.push([msg.content.comm_id, performance.now(), value]);
+    });
+    const readout = view.querySelectorAll('.widget-readout')[1];
+    const value = () => shown.push(Number(readout.textContent.replace('\u2212', '-')));
+    new MutationObserver(value).observe(readout, {childList: true});
+    const tool = view.querySelector('#tool path');
+    const picture = () => drawn.add(tool.getAttribute('d'));
+    new MutationObserver(picture).observe(tool, {attributes: true});
+}"""
+
+
+def drag(view, k, start, end, seconds):
+    """Pull slider k's handle from one share of its track to another, sixty moves a second."""
+    page, handle = view.page, view.get_by_role("slider").nth(k)
+    track = handle.locator("xpath=ancestor::*[contains(@class, 'noUi-base')]").bounding_box()
+    y, began = track["y"] + track["height"] / 2, time.perf_counter()
+    handle.hover()
+    page.mouse.down()
+    for count, share in enumerate(np.linspace(start, end, round(60 * seconds))):
+        page.mouse.move(track["x"] + share * track["width"], y)
+        time.sleep(max(0, began + count / 60 - time.perf_counter()))
+    page.mouse.up()
+
+
+def most_in_a_second(said):
+    """The most messages of one slider within any second."""
+    times = {}
+    for slider, time_, _ in said:
+        times.setdefault(slider, []).append(time_)
+    return max(sum(0 <= t - first < 1000 for t in found)
+               for found in times.values() for first in found)
+
+
+@pytest.mark.parametrize("busy", ["", BUSY], ids=["idle", "busy"])
+def test_a_drag_tells_python_ten_times_a_second_and_the_last_value(live, busy):
+    (view,) = live(SHOW)
+    page = view.page
+    run_code(page, busy)
+    view.evaluate(LISTEN)
+    drag(view, 1, 0.5, 0.85, 1.0)
+    page.wait_for_timeout(500)
+    said, shown, drawn = page.evaluate("[said, shown, drawn.size]")
+    assert shown == sorted(shown)  # no echo of an older value moved the slider back
+    assert most_in_a_second(said) <= 11 and drawn > 2 * len(said) > 6
+    value = shown[-1]
+    assert said[-1][2] == value
+    np.testing.assert_allclose(wait_for_kernel(page, ALPHA, [0, value, 0, -90, 0]),
+                               np.radians([0, value, 0, -90, 0]), atol=1e-12)
+    assert read(view)["readouts"][1] == value
+
+
+def test_play_and_keys_tell_python_ten_times_a_second(live):
+    (view,) = live(SHOW)
+    page, home = view.page, [0, 0, 0, -90, 0]
+    view.evaluate(LISTEN)
+    view.locator(".kl-button").nth(2).click()
+    page.wait_for_timeout(1500)
+    view.locator(".kl-button").nth(2).click()
+    said, drawn = page.evaluate("[said, drawn.size]")
+    assert most_in_a_second(said) <= 11 and drawn > 2 * len(said) > 6
+    view.get_by_role("button", name="Home", exact=True).click()
+    wait_for_readouts(view, home)
+    np.testing.assert_allclose(wait_for_kernel(page, ALPHA, home), ALPHA().home, atol=1e-12)
+    page.evaluate("said.length = 0")
+    for _ in range(60):
+        view.get_by_role("slider").nth(1).press("ArrowRight")
+    said = page.evaluate("said")
+    assert most_in_a_second(said) <= 11
+    wait_for_readouts(view, [0, 60, 0, -90, 0])
+    np.testing.assert_allclose(wait_for_kernel(page, ALPHA, [0, 60, 0, -90, 0]),
+                               np.radians([0, 60, 0, -90, 0]), atol=1e-12)
