@@ -85,7 +85,8 @@ def svg(fig: Figure) -> str:
     The XML prologue is left out, and so is matplotlib's style sheet: within a page it would
     restyle the lines of every other picture there.
     """
-    text = _save(fig, "svg", metadata={"Date": None, "Creator": None}, transparent=True).decode()
+    bare = dict.fromkeys(("Creator", "Date", "Format", "Type"))
+    text = _save(fig, "svg", metadata=bare, transparent=True).decode()
     return re.sub(r"<defs>\s*<style.*?</defs>", "", text[text.index("<svg"):], flags=re.DOTALL)
 
 

@@ -2,6 +2,7 @@
 from __future__ import annotations
 
 import math
+import os
 from collections.abc import Sequence
 from dataclasses import asdict, dataclass
 from pathlib import Path
@@ -12,21 +13,16 @@ import ipywidgets
 import numpy as np
 import traitlets
 
-from . import checks, draw
+from . import checks, draw, page
 from .scene import Scene
 
 _HERE = Path(__file__).parent
 
 
-def script(host: str) -> str:
-    """One JavaScript module: the live picture, and what ties it to its host."""
-    return "".join((_HERE / f"{name}.js").read_text(encoding="utf-8") for name in ("live", host))
-
-
 class Canvas(anywidget.AnyWidget):
     """The moving picture, its buttons and its table; live.js and jupyter.js do the work."""
 
-    _esm = script("jupyter")
+    _esm = page.script("jupyter")
     _css = _HERE / "live.css"
     svg = traitlets.Unicode().tag(sync=True)
     scene = traitlets.Dict().tag(sync=True)
@@ -69,12 +65,17 @@ class Knob:
     def slider(self) -> ipywidgets.FloatSlider:
         """An ordinary slider; live.js makes its steps (see Joint there)."""
         low, high = (round(end / self.scale, 9) for end in (self.low, self.high))
-        decimals = max(1 if self.unit == "°" else 0, math.ceil(1 - math.log10(high - low)))
         unit = f" ({self.unit})" if self.unit else ""
         return ipywidgets.FloatSlider(
             value=min(max(self.home / self.scale, low), high), min=low, max=high, step=None,
-            readout_format=f".{decimals}f", description=self.label + unit,
+            readout_format=f".{self.digits}f", description=self.label + unit,
             tooltip=self.title or self.label)
+
+    @property
+    def digits(self) -> int:
+        """Decimals that the slider shows."""
+        way = (self.high - self.low) / self.scale
+        return max(1 if self.unit == "°" else 0, math.ceil(1 - math.log10(way)))
 
     @property
     def suffix(self) -> str:
@@ -113,9 +114,7 @@ class LiveView(ipywidgets.Box):
         self._preset, self._show = preset or next(iter(scene.presets)), tuple(show)
         self._scales = np.array([knob.scale for knob in knobs])
         self.sliders = [knob.slider() for knob in knobs]
-        every = {item.layer for item in scene.items}
-        still = draw.figure(scene, self._values, self._preset, tuple(every))
-        self._canvas = Canvas(svg=draw.svg(still), scene=self._data() | (panels or {}),
+        self._canvas = Canvas(svg=self._still(), scene=self._data() | (panels or {}),
                               sliders=self.sliders)
         panel = ipywidgets.VBox(self.sliders)
         panel.add_class("kl-joints")
@@ -137,6 +136,51 @@ class LiveView(ipywidgets.Box):
     def _values(self) -> np.ndarray:
         """Values of the knobs in the scene's units."""
         return np.array([slider.value for slider in self.sliders]) * self._scales
+
+    def save_html(self, path: str | os.PathLike) -> Path:
+        """Write the view, as it stands now, as one page that moves without Jupyter and network.
+
+        The page holds all it needs and may be opened from a disk, put on a web server or into a
+        course system. ``#q=30,40,-20`` behind its address sets the sliders; **Copy link** copies
+        that. Widgets beside the view that need Python stay behind, and the page says so. An
+        older file of this name is replaced.
+
+        Parameters
+        ----------
+        path : str or path
+            Where to write it; ends in ``.html``.
+
+        Returns
+        -------
+        Path
+
+        Raises
+        ------
+        ValueError
+            If the name does not end in ``.html``, or the file cannot be written there.
+
+        Examples
+        --------
+        >>> import tempfile
+        >>> from kinlab import ArmView, robots
+        >>> with tempfile.TemporaryDirectory() as folder:
+        ...     ArmView(robots.alpha_ii()).save_html(folder + "/arm.html").name
+        'arm.html'
+        """
+        return page.save(path, self._name, self.html(address=True))
+
+    def html(self, *, address: bool = False) -> str:
+        """The view as a piece of a page, for `page.script` and `page.style` to move."""
+        off = {entry["layer"] for entry in self._canvas.scene["layers"] if not entry["on"]}
+        parts = [item.gid for item in self._scene.items if item.layer in off]
+        data = {"scene": self._canvas.scene, "q": self._values.tolist()}
+        return page.part(page.hidden(self._still(), parts), data, repr(self),
+                         map(_carried, self.children[2:]), address=address)
+
+    def _still(self) -> str:
+        """The picture as it stands now, with every layer, as SVG."""
+        every = {item.layer for item in self._scene.items}
+        return draw.svg(draw.figure(self._scene, self._values, self._preset, tuple(every)))
 
     def _move(self, values: np.ndarray) -> None:
         """Set all knobs at once; those beyond a limit stop there, and the view says so."""
@@ -177,10 +221,20 @@ class LiveView(ipywidgets.Box):
         home = [min(max(knob.home, knob.low), knob.high) for knob in knobs]
         return self._scene.data() | {
             "name": self._name, "preset": self._preset, "layers": [], "pose": None,
-            "joints": [asdict(knob) | {"suffix": knob.suffix} for knob in knobs],
+            "joints": [asdict(knob) | {"suffix": knob.suffix, "digits": knob.digits}
+                       for knob in knobs],
             "decimals": decimals(self._scene.radius), "home": home, "poses": [],
             "zero": [min(max(0.0, knob.low), knob.high) for knob in knobs],
         }
+
+
+def _carried(widget: ipywidgets.Widget) -> str:
+    """What a page can show of a widget beside the view: its text, or that it stayed behind."""
+    if isinstance(widget, ipywidgets.HTMLMath):
+        return f'<div class="kl-math">{page.typeset(widget.value)}</div>'
+    if isinstance(widget, ipywidgets.HTML):
+        return f"<div>{widget.value}</div>"
+    return '<p class="kl-needs">What stands here in the notebook needs JupyterLab.</p>'
 
 
 def decimals(size: float) -> int:
