@@ -15,8 +15,39 @@ function spare(slider) {
   slider.send_sync_message = (...message) => {
     const id = send(...message);
     slider._pending_msgs += 1;
-    setTimeout(() => slider._handle_status({ content: { execution_state: "idle" } }), TELL);
+    setTimeout(() => {
+      if (slider.comm_live) slider._handle_status({ content: { execution_state: "idle" } });
+    }, TELL);
     return id;
+  };
+}
+
+const GONE = ["restarting", "autorestarting", "terminating", "dead"];
+const DEAF = "Python no longer listens to this view. The picture still moves; run the cell again " +
+             "to connect them.";
+const APART = "No connection to Python now. The picture still moves; Python will hear of it later.";
+
+/** Say in the view when Python does not listen; JupyterLab's kernel tells, other hosts' may not. */
+function watchPython(el, sliders) {
+  const line = make("div", { class: "kl-silence", role: "status" });
+  const [first] = sliders, kernel = first?.widget_manager.kernel;
+  const look = () => {
+    if (kernel?.isDisposed || GONE.includes(kernel?.status)) {   // what comes next knows no view
+      for (const slider of sliders) if (slider.comm_live) slider.comm_live = false;
+    }
+    const apart = (kernel?.connectionStatus ?? "connected") !== "connected";
+    const text = !first || first.comm_live && !apart ? "" : first.comm_live ? APART : DEAF;
+    if (line.textContent !== text) line.textContent = text;
+  };
+  const signals = ["statusChanged", "connectionStatusChanged", "disposed"]
+    .flatMap((name) => kernel?.[name] ?? []);
+  signals.forEach((signal) => signal.connect(look));
+  first?.on("comm_live_update", look);
+  el.append(line);
+  look();
+  return () => {
+    signals.forEach((signal) => signal.disconnect(look));
+    first?.off("comm_live_update", look);
   };
 }
 
@@ -61,6 +92,34 @@ class Joint {
     this.slider.set("value", stepped(this.value, steps, fine, this));
     this.slider.save_changes();
   }
+}
+
+const STATE = "application/vnd.jupyter.widget-state+json";
+const VIEW = "application/vnd.jupyter.widget-view+json";
+const keeping = new WeakSet();
+
+/**
+ * Save with a notebook what its widgets hold: opened again, and not run, its views still move.
+ *
+ * JupyterLab's own setting for this forgets the views of a notebook that is opened and not run.
+ */
+function keepWidgets(manager) {
+  const { context } = manager;                      // JupyterLab's notebook; elsewhere there is none
+  if (!context?.model.setMetadata || keeping.has(manager)) return;
+  keeping.add(manager);
+  context.saveState.connect((_, phase) => {
+    if (phase !== "started") return;
+    const all = { ...context.model.getMetadata("widgets")?.[STATE]?.state,
+                  ...manager.get_state_sync({ drop_defaults: true }).state };
+    const state = {}, keep = (id) => {
+      if (!all[id] || state[id]) return;
+      state[id] = all[id];
+      for (const [, inner] of JSON.stringify(all[id]).matchAll(/"IPY_MODEL_(.*?)"/g)) keep(inner);
+    };
+    const outputs = context.model.toJSON().cells.flatMap((cell) => cell.outputs ?? []);
+    outputs.forEach((output) => keep(output.data?.[VIEW]?.model_id));
+    context.model.setMetadata("widgets", { [STATE]: { version_major: 2, version_minor: 0, state } });
+  });
 }
 
 async function sliderJoints(model, scene) {
@@ -115,6 +174,8 @@ async function render({ model, el }) {
   const remark = () => live.note(model.get("note"));
   model.on("change:note", remark);
   remark();
+  keepWidgets(model.widget_manager);
+  const unwatch = watchPython(el, joints.joints.map(({ slider }) => slider));
   let release = () => {};
   const attach = requestAnimationFrame(() => {      // the view stands in the page by then
     const panel = el.closest(".kl-view")?.querySelector(".kl-joints");
@@ -123,6 +184,7 @@ async function render({ model, el }) {
   return () => {
     cancelAnimationFrame(attach);
     release();
+    unwatch();
     model.off("change:note", remark);
     live.dismount();
   };

@@ -23,7 +23,8 @@ class Canvas(anywidget.AnyWidget):
     """The moving picture, its buttons and its table; live.js and jupyter.js do the work."""
 
     _esm = page.script("jupyter")
-    _css = _HERE / "live.css"
+    # As text: anywidget would watch a file, and keep every canvas for ever to tell it of a change.
+    _css = (_HERE / "live.css").read_text(encoding="utf-8")
     svg = traitlets.Unicode().tag(sync=True)
     scene = traitlets.Dict().tag(sync=True)
     sliders = traitlets.List().tag(sync=True, **ipywidgets.widget_serialization)
@@ -126,6 +127,11 @@ class LiveView(ipywidgets.Box):
     def __getitem__(self, name: str) -> ipywidgets.FloatSlider:
         names = [knob.name for knob in self._knobs]
         return self.sliders[names.index(checks.choice("name", name, tuple(names)))]
+
+    def close(self) -> None:
+        """Close the view and everything that it is made of; its memory is free again."""
+        for part in _parts(self):
+            ipywidgets.Widget.close(part)
 
     @property
     def readings(self) -> dict[str, tuple[np.ndarray, ...]]:
@@ -235,6 +241,13 @@ def _carried(widget: ipywidgets.Widget) -> str:
     if isinstance(widget, ipywidgets.HTML):
         return f"<div>{widget.value}</div>"
     return '<p class="kl-needs">What stands here in the notebook needs JupyterLab.</p>'
+
+
+def _parts(widget: ipywidgets.Widget) -> list[ipywidgets.Widget]:
+    """A widget, its layout and style, and those of all widgets within it."""
+    own = [getattr(widget, name) for name in ("layout", "style") if widget.has_trait(name)]
+    inner = [part for child in getattr(widget, "children", ()) for part in _parts(child)]
+    return [widget, *own, *inner]
 
 
 def decimals(size: float) -> int:

@@ -37,15 +37,21 @@ def root(tmp_path_factory):
 
 
 @pytest.fixture(scope="package")
-def lab_page(browser, root):
-    """JupyterLab, opened once; each scenario opens its notebook in it."""
+def lab(root):
+    """The server that all scenarios use."""
     with start_lab(root) as server:
-        page = browser.new_page(viewport={"width": 1280, "height": 900})
-        write(root / "first.ipynb", ["1 + 1"])
-        open_notebook(page, server, "first.ipynb")
-        page.evaluate("jupyterapp.commands.execute('application:toggle-left-area')")
-        yield page
-        page.close()
+        yield server
+
+
+@pytest.fixture(scope="package")
+def lab_page(browser, root, lab):
+    """JupyterLab, opened once; each scenario opens its notebook in it."""
+    page = browser.new_page(viewport={"width": 1280, "height": 900})
+    write(root / "first.ipynb", ["1 + 1"])
+    open_notebook(page, lab, "first.ipynb")
+    page.evaluate("jupyterapp.commands.execute('application:toggle-left-area')")
+    yield page
+    page.close()
 
 
 @pytest.fixture

@@ -92,3 +92,72 @@ def test_play_and_keys_tell_python_ten_times_a_second(live):
     wait_for_readouts(view, [0, 60, 0, -90, 0])
     np.testing.assert_allclose(wait_for_kernel(page, ALPHA, [0, 60, 0, -90, 0]),
                                np.radians([0, 60, 0, -90, 0]), atol=1e-12)
+
+
+SAVE = "jupyterapp.commands.execute('docmanager:save')"
+
+
+@pytest.fixture
+def own_page(browser, lab, root, watched):
+    """A function that opens a notebook of these cells in a page of its own."""
+    pages = []
+
+    def open_cells(*cells):
+        write(root / "own.ipynb", cells)
+        pages.append(watched(browser.new_page(viewport={"width": 1280, "height": 900})))
+        open_notebook(pages[0], lab, "own.ipynb")
+        return pages[0]
+
+    yield open_cells
+    for page in pages:
+        shut_down_kernels(page)
+        page.close()
+
+
+def alive(page):
+    view = page.locator(".kl-view")
+    view.locator(".kl-picture svg").wait_for()
+    view.locator(".widget-readout").last.wait_for()
+    return view
+
+
+def assert_drawn(view, values):
+    wait_for_readouts(view, values)
+    seen = read(view)
+    assert_picture(seen, ALPHA, np.radians(values), THREE_D)
+    assert_table(seen, ALPHA, np.radians(values), 1)
+
+
+def test_a_page_loaded_again_shows_the_arm_as_it_stands(own_page, lab, root):
+    page = own_page(SHOW)
+    run_all(page)
+    view = alive(page)
+    view.get_by_role("slider").nth(1).press("PageUp")
+    wait_for_kernel(page, ALPHA, [0, 10, 0, -90, 0])
+    page.evaluate(SAVE)
+    run_code(page, "view.q = np.radians([0, 20, 0, -90, 0])")
+    wait_for_readouts(view, [0, 20, 0, -90, 0])
+
+    page.reload()  # the kernel lives on
+    view = alive(page)
+    assert_drawn(view, [0, 20, 0, -90, 0])
+    expect(silence(view)).to_be_empty()
+    assert_moves_alone(view)
+    page.wait_for_function(f"{KERNEL}?.status === 'idle'")
+    wait_for_kernel(page, ALPHA, [0, 21, 0, -90, 0])
+    page.evaluate(SAVE)
+
+    for _ in range(2):  # opened, not run, saved, and opened again
+        shut_down_kernels(page)
+        open_notebook(page, lab, "own.ipynb")
+        view = alive(page)
+        expect(silence(view)).to_contain_text(DEAF)
+        assert_drawn(view, [0, 21, 0, -90, 0])
+        assert_moves_alone(view)
+        assert_no_error_box(page)
+        page.evaluate(SAVE)
+    assert (root / "own.ipynb").stat().st_size < 300_000
+    run_all(page)
+    assert_drawn(alive(page), [0, 0, 0, -90, 0])
+    page.evaluate(SAVE)
+    assert (root / "own.ipynb").stat().st_size < 300_000  # what no cell shows is not kept
