@@ -3,11 +3,14 @@ import time
 
 import numpy as np
 import pytest
-from lab import run_code
-from reading import read, wait_for_kernel, wait_for_readouts
+from conftest import write
+from lab import open_notebook, run_all, run_code, shut_down_kernels
+from playwright.sync_api import expect
+from reading import assert_picture, assert_table, read, wait_for_kernel, wait_for_readouts
 
 import kinlab as kl
 
+THREE_D = (-60, 24, 1)
 ALPHA = kl.robots.alpha_ii
 SHOW = "import kinlab as kl, numpy as np\nview = kl.ArmView(kl.robots.alpha_ii())\nview"
 
@@ -92,6 +95,59 @@ def test_play_and_keys_tell_python_ten_times_a_second(live):
     wait_for_readouts(view, [0, 60, 0, -90, 0])
     np.testing.assert_allclose(wait_for_kernel(page, ALPHA, [0, 60, 0, -90, 0]),
                                np.radians([0, 60, 0, -90, 0]), atol=1e-12)
+
+
+KERNEL = "jupyterapp.shell.currentWidget.sessionContext.session.kernel"
+DEAF = "Python no longer listens to this view."
+RESTART = f"() => {KERNEL}.restart()"
+KILL = f"() => {{ {KERNEL}.requestExecute({{code: 'import os; os._exit(1)'}}).done.catch(() => 0); }}"
+SHUT_DOWN = "() => jupyterapp.shell.currentWidget.sessionContext.shutdown()"
+
+
+def silence(view):
+    return view.locator(".kl-silence")
+
+
+def assert_moves_alone(view, k=1):
+    """A key on a slider moves picture, table and read-out as ever."""
+    before = read(view)["readouts"]
+    view.get_by_role("slider").nth(k).press("ArrowRight")
+    values = [value + (i == k) for i, value in enumerate(before)]
+    wait_for_readouts(view, values)
+    seen = read(view)
+    assert_picture(seen, ALPHA, np.radians(values), THREE_D)
+    assert_table(seen, ALPHA, np.radians(values), 1)
+
+
+@pytest.mark.parametrize("end", [RESTART, KILL, SHUT_DOWN], ids=["restart", "kill", "shut down"])
+def test_without_its_kernel_a_view_moves_and_says_that_python_is_gone(live, end):
+    view, again = live(SHOW, "view", views=2)
+    page = view.page
+    expect(silence(view)).to_be_empty()
+    page.evaluate(end)
+    for place in (view, again):
+        expect(silence(place)).to_contain_text(DEAF)
+    if end == KILL:
+        page.get_by_role("button", name="Ok").click()  # JupyterLab's own word on it
+    assert_moves_alone(view)
+    drag(view, 1, 0.5, 0.7, 0.3)
+    page.wait_for_timeout(300)
+    assert_moves_alone(again)
+    assert_no_error_box(page)
+    if end == SHUT_DOWN:
+        return
+    page.wait_for_function(f"{KERNEL}?.status === 'idle'")
+    run_all(page)
+    for place in (view, again):
+        expect(silence(place)).to_be_empty()
+    view.get_by_role("slider").nth(1).press("ArrowRight")
+    np.testing.assert_allclose(wait_for_kernel(page, ALPHA, [0, 1, 0, -90, 0])[1], np.radians(1))
+
+
+def assert_no_error_box(page):
+    assert page.locator(".jp-Dialog").count() == 0
+    shown = page.locator(".jp-Notebook:visible .jp-OutputArea-output").all_inner_texts()
+    assert not [text for text in shown if "rror" in text]
 
 
 SAVE = "jupyterapp.commands.execute('docmanager:save')"
