@@ -112,6 +112,23 @@ def open_in(page, path):
 
 
 @pytest.fixture
+def own_page(browser, lab, root, watched):
+    """A function that opens a notebook of these cells in a page of its own."""
+    pages = []
+
+    def open_cells(*cells):
+        write(root / "own.ipynb", cells)
+        pages.append(watched(browser.new_page(viewport={"width": 1280, "height": 900})))
+        open_notebook(pages[0], lab, "own.ipynb")
+        return pages[0]
+
+    yield open_cells
+    for page in pages:
+        shut_down_kernels(page)
+        page.close()
+
+
+@pytest.fixture
 def live(notebook):
     """A function that shows views and returns their elements, once they are alive."""
     def show(*cells, views=1):

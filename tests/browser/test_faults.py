@@ -3,7 +3,6 @@ import time
 
 import numpy as np
 import pytest
-from conftest import write
 from lab import open_notebook, run_all, run_code, shut_down_kernels
 from playwright.sync_api import expect
 from reading import assert_picture, assert_table, read, wait_for_kernel, wait_for_readouts
@@ -100,7 +99,8 @@ def test_play_and_keys_tell_python_ten_times_a_second(live):
 KERNEL = "jupyterapp.shell.currentWidget.sessionContext.session.kernel"
 DEAF = "Python no longer listens to this view."
 RESTART = f"() => {KERNEL}.restart()"
-KILL = f"() => {{ {KERNEL}.requestExecute({{code: 'import os; os._exit(1)'}}).done.catch(() => 0); }}"
+DIE = "{code: 'import os; os._exit(1)'}"
+KILL = f"() => {{ {KERNEL}.requestExecute({DIE}).done.catch(() => 0); }}"
 SHUT_DOWN = "() => jupyterapp.shell.currentWidget.sessionContext.shutdown()"
 
 
@@ -144,6 +144,34 @@ def test_without_its_kernel_a_view_moves_and_says_that_python_is_gone(live, end)
     np.testing.assert_allclose(wait_for_kernel(page, ALPHA, [0, 1, 0, -90, 0])[1], np.radians(1))
 
 
+def test_a_tab_that_slept_wakes_with_the_numbers_of_now(live):
+    (view,) = live(SHOW)
+    page = view.page
+    session = page.context.new_cdp_session(page)
+    later = "'import time; time.sleep(1); view.q = np.radians([0, 30, 0, -90, 0])'"
+    page.evaluate(f"() => {{ {KERNEL}.requestExecute({{code: {later}}}); }}")
+    session.send("Page.setWebLifecycleState", {"state": "frozen"})
+    time.sleep(2)  # Python moves the arm meanwhile
+    session.send("Page.setWebLifecycleState", {"state": "active"})
+    assert_drawn(view, [0, 30, 0, -90, 0])
+    view.evaluate("""view => {
+        window.heard = [];
+        const line = view.querySelector('.kl-silence');
+        new MutationObserver(() => heard.push(line.textContent)).observe(line, {childList: true});
+    }""")
+    page.evaluate(f"{KERNEL}.reconnect()")
+    page.wait_for_function("heard.length > 1")  # said, and withdrawn when it was back
+    assert page.evaluate("heard[0]").startswith("No connection to Python now.")
+    expect(silence(view)).to_be_empty()
+    assert_moves_alone(view)
+    wait_for_kernel(page, ALPHA, [0, 31, 0, -90, 0])
+    run_all(page)  # and once more: one view, with the numbers of the new one
+    assert_drawn(view, [0, 0, 0, -90, 0])
+    assert_moves_alone(view)
+    wait_for_kernel(page, ALPHA, [0, 1, 0, -90, 0])
+    assert_no_error_box(page)
+
+
 def assert_no_error_box(page):
     assert page.locator(".jp-Dialog").count() == 0
     shown = page.locator(".jp-Notebook:visible .jp-OutputArea-output").all_inner_texts()
@@ -151,23 +179,6 @@ def assert_no_error_box(page):
 
 
 SAVE = "jupyterapp.commands.execute('docmanager:save')"
-
-
-@pytest.fixture
-def own_page(browser, lab, root, watched):
-    """A function that opens a notebook of these cells in a page of its own."""
-    pages = []
-
-    def open_cells(*cells):
-        write(root / "own.ipynb", cells)
-        pages.append(watched(browser.new_page(viewport={"width": 1280, "height": 900})))
-        open_notebook(pages[0], lab, "own.ipynb")
-        return pages[0]
-
-    yield open_cells
-    for page in pages:
-        shut_down_kernels(page)
-        page.close()
 
 
 def alive(page):
