@@ -50,6 +50,9 @@ def steady(notebook: nbformat.NotebookNode) -> nbformat.NotebookNode:
     notebook.metadata = nbformat.from_dict(METADATA)
     for output in _outputs(notebook):
         output.get("data", {}).pop(WIDGET, None)
+    for cell in notebook.cells:
+        if "outputs" in cell:  # of a progress bar nothing is left but its empty place
+            cell.outputs = [output for output in cell.outputs if output.get("data", True)]
     return notebook
 
 

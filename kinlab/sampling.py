@@ -1,9 +1,6 @@
 """The workspace by sampling: joint ranges are swept evenly, and where the tool gets is kept."""
 from __future__ import annotations
 
-import math
-import sys
-import time
 from collections.abc import Callable
 from dataclasses import dataclass
 from itertools import chain
@@ -15,8 +12,7 @@ from . import checks
 from .arm import PRISMATIC, Arm, _check_arm
 from .kinematics import CHUNK, joint_ranges
 from .motions import follow
-
-PATIENCE = 0.5  # seconds before a progress bar appears
+from .progress import Progress
 
 
 @dataclass(frozen=True, eq=False)
@@ -115,7 +111,7 @@ def workspace(arm: Arm, samples: int = 100_000, *, seed: int = 0,
         Where the sequence begins: the same seed gives the same points.
     progress : callable, optional
         Called with how many poses are done and how many there are. Left out, a bar appears in
-        a terminal once the work has taken half a second.
+        a notebook or a terminal once the work has taken a second, and goes when it is done.
 
     Returns
     -------
@@ -140,7 +136,7 @@ def workspace(arm: Arm, samples: int = 100_000, *, seed: int = 0,
                          "give prismatic(limits=(lowest, highest))")
     low, high = (end[:, None] for end in joint_ranges(arm, 0.0))
     motions, points = tuple(chain(*arm.chain)), np.empty((samples, 3))
-    report = progress or _Bar()
+    report = progress or Progress("workspace")
     for start in range(0, samples, CHUNK):
         part = points[start:start + CHUNK]
         q = low + (high - low) * r_sequence(arm.n, start, len(part), seed)
@@ -161,22 +157,3 @@ def r_sequence(dimensions: int, start: int, count: int, seed: int) -> np.ndarray
     steps = g ** -np.arange(1.0, dimensions + 1)[:, None]
     offset = np.random.default_rng(seed).random((dimensions, 1))
     return (offset + steps * np.arange(start, start + count)) % 1.0
-
-
-class _Bar:
-    """A bar in the terminal, for work that takes long enough to wonder."""
-
-    def __init__(self) -> None:
-        self.begun, self.shown = time.perf_counter(), 0
-        self.wanted = sys.stderr is not None and sys.stderr.isatty()
-
-    def __call__(self, done: int, total: int) -> None:
-        percent = math.floor(100 * done / total)
-        if not self.wanted or percent == self.shown:
-            return
-        if done == total:
-            print("\r\x1b[K" if self.shown else "", end="", file=sys.stderr, flush=True)
-        elif time.perf_counter() - self.begun > PATIENCE:
-            self.shown = percent
-            bar = "#" * (percent // 4)
-            print(f"\rworkspace |{bar:25}| {percent} %", end="", file=sys.stderr, flush=True)

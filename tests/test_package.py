@@ -26,7 +26,8 @@ MATHEMATICS = {
     "descent": {"numpy", "pose_error"},
     "solve": {"numpy", "kinematics", "pose_error", "descent"},
     "ik": {"numpy", "checks", "arm", "kinematics", "pose_error", "descent", "solve"},
-    "sampling": {"numpy", "checks", "arm", "motions", "kinematics"},
+    "progress": set(),
+    "sampling": {"numpy", "checks", "arm", "motions", "kinematics", "progress"},
     "notation": {"sympy"},
     "symbolic": {"sympy", "checks", "motions", "arm", "kinematics", "notation"},
     "euler": {"numpy", "checks", "motions", "transforms"},
@@ -34,7 +35,7 @@ MATHEMATICS = {
     "__init__": set(),
 }
 DRAWING = ("scene", "arm_scene", "draw", "workspace_plots")
-VIEWS = ("live", "arm_view", "sketch", "link_view")
+VIEWS = ("live", "arm_view", "sketch", "link_view", "notebook_bar")
 WIDGETS = {"ipywidgets", "anywidget", "traitlets", "IPython"}
 
 

@@ -5,11 +5,14 @@ from math import pi
 
 import numpy as np
 import pytest
+from nbclient import NotebookClient
+from nbformat.v4 import new_code_cell, new_notebook
 from test_kinematics import course
 
 import kinlab as kl
-from kinlab import sampling
+from kinlab import progress
 from kinlab.kinematics import reach
+from kinlab.notebooks import steady
 from kinlab.sampling import r_sequence
 
 close = np.testing.assert_allclose
@@ -101,18 +104,43 @@ class Terminal(io.StringIO):
 
 def test_a_bar_appears_in_a_terminal_and_goes(monkeypatch):
     monkeypatch.setattr("sys.stderr", Terminal())
-    monkeypatch.setattr(sampling, "PATIENCE", -1)
+    monkeypatch.setattr(progress, "PATIENCE", -1)
     kl.workspace(kl.robots.two_link(), 20_000)
-    text = sampling.sys.stderr.getvalue()
+    text = progress.sys.stderr.getvalue()
     assert "workspace |#####                    | 20 %" in text and text.endswith("\r\x1b[K")
 
 
 def test_no_bar_for_short_work_or_without_a_terminal(monkeypatch, capsys):
+    monkeypatch.setattr(progress, "PATIENCE", -1)
     kl.workspace(kl.robots.two_link(), 20_000)
     assert capsys.readouterr().err == ""
     monkeypatch.setattr("sys.stderr", Terminal())
+    monkeypatch.setattr(progress, "PATIENCE", 60)
     kl.workspace(kl.robots.two_link(), 20_000)
-    assert sampling.sys.stderr.getvalue() == ""
+    assert progress.sys.stderr.getvalue() == ""
+
+
+LONG = """import kinlab as kl
+from kinlab import progress
+progress.PATIENCE = {patience}
+kl.workspace(kl.robots.two_link(), 20_000).points.shape"""
+
+
+@pytest.mark.parametrize("patience", [-1, 60])
+def test_a_bar_in_a_notebook_leaves_no_trace(patience):
+    """What is saved is the same whether the work was long or short, but a bar was there."""
+    code = new_code_cell(LONG.format(patience=patience), id="long")
+    notebook, shown = new_notebook(cells=[code]), []
+    client = NotebookClient(notebook, kernel_name="python3", store_widget_state=False)
+    process = client.process_message
+    client.process_message = lambda msg, *rest: (shown.append(msg), process(msg, *rest))[1]
+    client.execute()
+    kinds = [msg["msg_type"] for msg in shown]
+    opened = [msg for msg in shown if msg["msg_type"] == "comm_open"]
+    assert (len(opened) > 0) == (patience < 0) == ("update_display_data" in kinds)
+    for output in steady(notebook).cells[0].outputs:
+        assert output.output_type == "execute_result"
+        assert output.data == {"text/plain": "(20000, 3)"}
 
 
 def test_slices():
