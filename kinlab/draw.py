@@ -20,6 +20,7 @@ AXIS_COLOURS = {"x": "#D55E00", "y": "#009E73", "z": "#0072B2"}
 _FILLED = dict(edgecolor=INK, linewidth=1.0, joinstyle="round")
 STYLES = {
     "ground": dict(edgecolor=FAINT, linewidth=0.8),
+    "mesh": dict(edgecolor="#a9bccd", linewidth=1.0),
     "ghost": dict(edgecolor=FAINT, linewidth=6, joinstyle="round"),
     "link": dict(edgecolor=STEEL, linewidth=8, joinstyle="round"),
     "rod": dict(edgecolor=STEEL, linewidth=5, joinstyle="round"),

@@ -134,7 +134,7 @@ def choices(expected: Mapping[str, set], allowed: set, reasons: Mapping[tuple, s
 
 
 def joint_values(read: Callable[[Any], np.ndarray], conditions: Sequence[Callable], *,
-                 slips: Sequence[Slip] = (), praise: str) -> Judge:
+                 slips: Sequence[Slip] = (), noun: str = "joint values", praise: str) -> Judge:
     """Judge of joint values that must meet conditions; there may be many right answers.
 
     Parameters
@@ -145,10 +145,12 @@ def joint_values(read: Callable[[Any], np.ndarray], conditions: Sequence[Callabl
         Each takes the joint values and says what fails and by how much, or "".
     slips : sequence of (message, test of the joint values)
         The first one that is true is named once a condition fails.
+    noun : str
+        What the answer holds.
     praise : str
     """
     def judge(answer: Any) -> str:
-        _refuse_stub(answer, "Replace the ... by your joint values.")
+        _refuse_stub(answer, f"Replace the ... by your {noun}.")
         try:
             q = read(answer)
         except ValueError as error:

@@ -1,0 +1,211 @@
+"""Lesson 09, the workspace: the judges of its exercises, and its views."""
+from __future__ import annotations
+
+from collections.abc import Callable
+from math import degrees, pi, radians, sin
+from typing import Any
+
+import numpy as np
+
+from .. import checks, kinematics, robots
+from ..judging import function, joint_values
+from ._workspace_views import L1, L2, limits_view, ring_view
+from .alpha_ii import _one_pose, _within_limits
+
+__all__ = ["limits_view", "ring_view"]
+
+# ---- Exercise 1: the ring of two lengths ----------------------------------------------
+
+
+def _ring(l1: float, l2: float) -> np.ndarray:
+    near, far = abs(l1 - l2), l1 + l2
+    return np.array([near, far, pi * (far**2 - near**2)])
+
+
+def _with_area(area: Callable) -> Callable:
+    def wrong(l1: float, l2: float) -> np.ndarray:
+        near, far, _ = _ring(l1, l2)
+        return np.array([near, far, area(near, far)])
+    return wrong
+
+
+_RING_CASES = [dict(zip(("l_1", "l_2"), case)) for case in ((1.0, 0.6), (0.5, 0.8), (1.0, 1.0))]
+
+_RING_SLIPS = [
+    ("A radius is never negative: what if link 2 is the longer one?",
+     lambda l1, l2: np.array([l1 - l2, *_ring(l1, l2)[1:]])),
+    ("The folded arm leaves a hole only if the links differ; it is not always closed.",
+     lambda l1, l2: np.array([0, l1 + l2, pi * (l1 + l2) ** 2])),
+    ("The area is that of the whole disc: the hole in its middle is not reached.",
+     _with_area(lambda near, far: pi * far**2)),
+    ("The hole is taken off as a length. Subtract areas: radii are squared first.",
+     _with_area(lambda near, far: pi * (far - near) ** 2)),
+    ("The area lacks the factor pi.", _with_area(lambda near, far: far**2 - near**2)),
+    ("This is a circumference: an area takes the squares of the radii.",
+     _with_area(lambda near, far: 2 * pi * (far - near))),
+    ("Nearest and farthest have changed places.", lambda l1, l2: _ring(l1, l2)[[1, 0, 2]]),
+    ("These are diameters.", lambda l1, l2: _ring(l1, l2) * [2, 2, 1]),
+]
+
+# ---- Exercise 2: an arm for a given ring ----------------------------------------------
+
+_NEAR, _FAR = 0.4, 2.2  # m
+
+
+def _lengths(answer: Any) -> np.ndarray:
+    lengths = checks.shaped("lengths", answer, (2,), "two lengths, l_1 and l_2")
+    if min(lengths) <= 0:
+        raise ValueError(f"lengths: expected two lengths above 0, got {lengths.tolist()}")
+    return lengths
+
+
+def _reaches_out(lengths: np.ndarray) -> str:
+    far = sum(lengths)
+    return "" if abs(far - _FAR) <= 1e-3 else (f"Stretched, this arm reaches {far:.4g} m out; "
+                                               f"it should be {_FAR} m.")
+
+
+def _leaves_the_hole(lengths: np.ndarray) -> str:
+    near = abs(lengths[0] - lengths[1])
+    return "" if abs(near - _NEAR) <= 1e-3 else (
+        f"It reaches {_FAR} m out, but folded its tool is {near:.4g} m from the base; it should "
+        f"be {_NEAR} m.")
+
+
+def _fits(lengths: np.ndarray) -> bool:
+    return not (_reaches_out(lengths) or _leaves_the_hole(lengths))
+
+
+_LENGTH_SLIPS = [
+    ("These are the radii themselves. Their sum and difference are the wrong way round: l_1 + l_2 "
+     "and |l_1 - l_2| are the radii.", lambda q: np.allclose(sorted(q), [_NEAR, _FAR], atol=1e-3)),
+    ("They are half of what they should be: 0.4 m and 2.2 m are radii, not diameters.",
+     lambda q: _fits(2 * q)),
+    ("They are twice what they should be: halve the sum and the difference.",
+     lambda q: _fits(q / 2)),
+]
+
+# ---- Exercise 3: a wall ---------------------------------------------------------------
+
+_BENDS = np.radians(np.linspace(0, 90, 91))
+_ASKEW = np.arctan2(L2 * np.sin(_BENDS), L1 + L2 * np.cos(_BENDS)).max()
+_NARROWEST = radians(0.1)
+
+
+def _range(answer: Any) -> np.ndarray:
+    limits = checks.shaped("limits", answer, (2,), "the lowest and the highest theta_1")
+    if limits[0] >= limits[1]:
+        raise ValueError("limits: expected the lowest value before the highest, got "
+                         f"{checks.brief(limits.tolist())}")
+    return limits
+
+
+def _stays_above(limits: np.ndarray) -> str:
+    """The lowest place of the tool, at a limit of joint 1 or wherever between them it is."""
+    turns = np.linspace(*limits, 721)[:, None]
+    height = L1 * np.sin(turns) + L2 * np.sin(turns + _BENDS)
+    if height.min() >= -1e-3:
+        return ""
+    i, j = np.unravel_index(height.argmin(), height.shape)
+    return (f"At theta_1 = {degrees(turns[i, 0]):.4g}°, theta_2 = {degrees(_BENDS[j]):.3g}° the "
+            f"tool is at y = {height[i, j]:.3f} m, in the wall.")
+
+
+def _is_widest(limits: np.ndarray) -> str:
+    spare = (pi - _ASKEW) - (limits[1] - limits[0])
+    return "" if spare <= _NARROWEST else (
+        "The tool stays clear of the wall, but the range could be wider by "
+        f"{degrees(spare):.3g}°.")
+
+
+def _clear(limits: np.ndarray) -> bool:
+    return not (_stays_above(limits) or _is_widest(limits))
+
+
+_WALL_SLIPS = [
+    ("These look like degrees: write np.radians([...]).", lambda q: _clear(np.radians(q))
+     or np.max(np.abs(q)) > 2 * pi),
+    ("At 180° link 1 lies along the wall; where does link 2 point once it is bent?",
+     lambda q: np.isclose(q[1], pi, atol=1e-2)),
+    ("Link 2 may point down, as long as its end stays above the wall.",
+     lambda q: np.isclose(q[1], pi / 2, atol=1e-2)),
+    ("That is for an elbow that bends as far as it likes; this one stops at 90°.",
+     lambda q: np.isclose(q[1], pi - np.arcsin(L2 / L1), atol=1e-3)),
+]
+
+# ---- Exercises 4 and 5: the Alpha II, close to its shoulder and towards a far point -----
+
+_ARM = robots.alpha_ii()
+_SHOULDER = np.array([0, 0, _ARM.links[0].d])
+_FORE, _TOOL = _ARM.links[2].a, _ARM.links[4].d
+_CLOSEST = 2 * _FORE * sin((pi - _ARM.links[2].limits[1]) / 2) - _TOOL
+TARGET = np.array([600.0, 0.0, 500.0])
+_STRAIGHT = np.linalg.norm(TARGET - _SHOULDER) - 2 * _FORE - _TOOL
+
+
+def _gap(q: np.ndarray, point: np.ndarray) -> float:
+    return float(np.linalg.norm(kinematics.forward_kinematics(_ARM, q)[:3, 3] - point))
+
+
+def _close(point: np.ndarray, least: float, what: str) -> Callable[[np.ndarray], str]:
+    def condition(q: np.ndarray) -> str:
+        gap = _gap(q, point)
+        return "" if gap <= least + 0.5 else (f"The tip is {gap:.1f} mm from {what}; it can come "
+                                              "closer.")
+    return condition
+
+
+_NEAR_SHOULDER = (_within_limits, _close(_SHOULDER, _CLOSEST, "the shoulder"))
+_NEAR_TARGET = (_within_limits, _close(TARGET, _STRAIGHT, "the target"))
+
+
+def _meets(conditions: tuple, q: np.ndarray) -> bool:
+    return not any(condition(q) for condition in conditions)
+
+
+def _as_degrees(conditions: tuple) -> tuple[str, Callable]:
+    return ("These numbers look like degrees: q is in radians, so write np.radians([...]).",
+            lambda q: _meets(conditions, np.radians(q)) or np.max(np.abs(q)) > 2 * pi)
+
+
+_FOLD_SLIPS = [
+    _as_degrees(_NEAR_SHOULDER),
+    ("The elbow is bent as far as it goes, but the tool points away from the shoulder.",
+     lambda q: _gap(q, _SHOULDER) > _CLOSEST + 1.9 * _TOOL and abs(abs(q[2]) - 3 * pi / 4) < 1e-3),
+    ("Bent to this side, the tool pitch cannot follow far enough: its range is not the same to "
+     "both sides of the straight tool.", lambda q: q[2] < -1),
+    ("The tool is straight at theta_4 = -90°, not at 0: count its bend from there.",
+     lambda q: _meets(_NEAR_SHOULDER, q - [0, 0, 0, pi / 2, 0])),
+    ("Fold the elbow as far as its limit lets it.", lambda q: q[2] < radians(134)),
+]
+_FAR_SLIPS = [
+    _as_degrees(_NEAR_TARGET),
+    ("The sign of theta_2 is wrong: positive angles lower the arm.",
+     lambda q: _meets(_NEAR_TARGET, q * [1, -1, 1, 1, 1])),
+    ("The arm points to the target as seen from the floor; see it from the shoulder.",
+     lambda q: np.isclose(q[1], -np.arctan2(TARGET[2], TARGET[0]), atol=1e-3)),
+    ("The tool is straight at theta_4 = -90°, not at 0.",
+     lambda q: _meets(_NEAR_TARGET, q - [0, 0, 0, pi / 2, 0])),
+]
+
+JUDGES: dict[str, Callable[[Any], str]] = {
+    "workspace.1": function(
+        _ring, _RING_CASES, slips=_RING_SLIPS,
+        entry=lambda index: ("nearest", "farthest", "the area")[index[0]],
+        praise="The area is also 4 pi l_1 l_2: for a given reach l_1 + l_2 it is largest when "
+               "both links are equally long."),
+    "workspace.2": joint_values(
+        _lengths, (_reaches_out, _leaves_the_hole), slips=_LENGTH_SLIPS, noun="two lengths",
+        praise="This arm reaches just that ring. So does the one with its links exchanged."),
+    "workspace.3": joint_values(
+        _range, (_stays_above, _is_widest), slips=_WALL_SLIPS, noun="two limits",
+        praise="As wide as can be. The upper limit is where the bent arm points along the wall."),
+    "workspace.4": joint_values(
+        _one_pose, _NEAR_SHOULDER, slips=_FOLD_SLIPS,
+        praise="About 6.6 mm: elbow at its limit, tool folded back. Joints 1, 2 and 5 are free; "
+               "they do not change the distance from the shoulder."),
+    "workspace.5": joint_values(
+        _one_pose, _NEAR_TARGET, slips=_FAR_SLIPS,
+        praise="Stretched straight towards the target, as seen from the shoulder, and still "
+               "179 mm short. The tool roll is free."),
+}
