@@ -12,7 +12,9 @@ PATIENCE = 1.0  # seconds before a bar appears
 
 
 class Progress:
-    """Told how much is done, shows it once the work has taken a while, and tidies up at its end.
+    """Told how much is done, shows it once the work has taken a while.
+
+    As a context it tidies up at the end of the work, and where the work was stopped.
 
     Parameters
     ----------
@@ -21,8 +23,8 @@ class Progress:
 
     Examples
     --------
-    >>> report = Progress("workspace")
-    >>> report(50, 100)
+    >>> with Progress("workspace") as report:
+    ...     report(50, 100)
     """
 
     def __init__(self, title: str) -> None:
@@ -37,7 +39,14 @@ class Progress:
         if done < total and self.bar is None and time.perf_counter() - self.begun > PATIENCE:
             self.bar = _bar(self.title)
         if self.bar is not None:
-            self.bar.close() if done == total else self.bar.show(percent)
+            self.bar.show(percent)
+
+    def __enter__(self) -> Progress:
+        return self
+
+    def __exit__(self, *_: Any) -> None:
+        if self.bar is not None:
+            self.bar.close()
 
 
 class TerminalBar:

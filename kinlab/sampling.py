@@ -136,13 +136,14 @@ def workspace(arm: Arm, samples: int = 100_000, *, seed: int = 0,
                          "give prismatic(limits=(lowest, highest))")
     low, high = (end[:, None] for end in joint_ranges(arm, 0.0))
     motions, points = tuple(chain(*arm.chain)), np.empty((samples, 3))
-    report = progress or Progress("workspace")
-    for start in range(0, samples, CHUNK):
-        part = points[start:start + CHUNK]
-        q = low + (high - low) * r_sequence(arm.n, start, len(part), seed)
-        for i, component in enumerate(follow(motions, q).origin):
-            part[:, i] = component
-        report(start + len(part), samples)
+    with Progress("workspace") as bar:
+        report = progress or bar
+        for start in range(0, samples, CHUNK):
+            part = points[start:start + CHUNK]
+            q = low + (high - low) * r_sequence(arm.n, start, len(part), seed)
+            for i, component in enumerate(follow(motions, q).origin):
+                part[:, i] = component
+            report(start + len(part), samples)
     return Workspace(arm, points)
 
 

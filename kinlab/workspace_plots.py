@@ -39,7 +39,7 @@ class Picture(Figure):
 
     def _repr_mimebundle_(self, **kwargs: Any) -> tuple[dict, dict]:
         buffer = io.BytesIO()
-        self.savefig(buffer, format="png", dpi=90, facecolor="white")
+        self.savefig(buffer, format="png", dpi=90, facecolor="white", bbox_inches="tight")
         return ({"text/plain": self.words, "image/png": buffer.getvalue()},
                 {"image/png": {"alt": f"Picture of a workspace. {self.words}"}})
 
@@ -96,7 +96,7 @@ def envelope_picture(reached: Workspace, bins: int = 60) -> Picture:
     ax.plot(*far.T, color=OUTER, linewidth=2, label="farthest")
     ax.plot(*near.T, color=INNER, linewidth=2, linestyle="--", label="nearest")
     _arm(ax, reached, see)
-    fig.legend(loc="outside right upper", frameon=False)
+    ax.legend(loc="upper left", bbox_to_anchor=(1.02, 1), borderaxespad=0, frameon=False)
     return _said(fig, np.concatenate([near, far]), names, unit)
 
 

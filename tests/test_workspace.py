@@ -120,6 +120,16 @@ def test_no_bar_for_short_work_or_without_a_terminal(monkeypatch, capsys):
     assert progress.sys.stderr.getvalue() == ""
 
 
+def test_a_bar_goes_when_the_work_is_stopped(monkeypatch):
+    monkeypatch.setattr("sys.stderr", Terminal())
+    monkeypatch.setattr(progress, "PATIENCE", -1)
+    with pytest.raises(KeyboardInterrupt), progress.Progress("work") as report:
+        report(1, 3)
+        raise KeyboardInterrupt
+    assert "work |########" in progress.sys.stderr.getvalue()
+    assert progress.sys.stderr.getvalue().endswith("\r\x1b[K")
+
+
 LONG = """import kinlab as kl
 from kinlab import progress
 progress.PATIENCE = {patience}
@@ -171,11 +181,62 @@ def test_pictures_name_what_they_show(picture, words):
     assert out.tell() > 5000
 
 
+@pytest.mark.parametrize("picture", [kl.slice_picture, kl.envelope_picture, kl.density_picture])
+def test_a_notebook_shows_a_picture_with_words(picture):
+    fig = picture(kl.workspace(kl.robots.alpha_ii(), 5000))
+    data, notes = fig._repr_mimebundle_()
+    assert data["image/png"][1:4] == b"PNG" and data["text/plain"] == repr(fig) == fig.words
+    assert notes["image/png"]["alt"] == f"Picture of a workspace. {fig.words}"
+    assert fig.words.startswith("Alpha II: ") and fig.words.endswith(" mm")
+
+
+def test_words_say_how_far_the_points_go():
+    reached = kl.workspace(kl.robots.cylindrical(), 50_000)
+    assert kl.envelope_picture(reached).words == (
+        "Cylindrical: reach envelope, distance from the base's axis from 0.10 to 0.60 m, "
+        "height from 0.50 to 1.00 m")
+    assert kl.slice_picture(reached, "z", 9).words == "Cylindrical: slice z = 9 m, no points"
+
+
+def test_the_arm_at_home_is_drawn_in_each_picture():
+    """Shoulder, elbow, wrist and tip of the Alpha II, level at a height of 215 mm."""
+    reached = kl.workspace(kl.robots.alpha_ii(), 5000)
+    for fig in (kl.slice_picture(reached), kl.envelope_picture(reached),
+                kl.density_picture(reached)):
+        joints = next(line for line in fig.axes[0].lines if line.get_label() == "arm at home")
+        close(np.unique(joints.get_xydata().round(6), axis=0),
+              [[0, 0], [0, 215], [177.8, 215], [355.6, 215], [485.1, 215]], atol=1e-6)
+
+
+def drawn(fig, label):
+    return next(line for line in fig.axes[0].lines if line.get_label() == label).get_xydata()
+
+
+def test_the_envelope_of_a_planar_arm_is_a_ring():
+    arm = kl.Arm([kl.revolute(a=1), kl.revolute(a=0.4)],
+                 base=kl.homogeneous(kl.rotation_x(0.7), [1, 2, 3]))
+    fig = kl.envelope_picture(kl.workspace(arm, 200_000), 36)
+    for label, radius in (("farthest", 1.4), ("nearest", 0.6)):
+        ring = drawn(fig, label)
+        assert len(ring) == 37
+        close(np.linalg.norm(ring, axis=1), radius, atol=2e-3)
+        close(ring[0], ring[-1])
+
+
+def test_the_envelope_of_a_planar_arm_with_limits_begins_after_its_gap():
+    arm = kl.Arm([kl.revolute(a=1, limits=(2, 4)), kl.revolute(a=0.5, limits=(0, 0.1))])
+    ends = drawn(kl.envelope_picture(kl.workspace(arm, 50_000), 360), "farthest")
+    angles = np.unwrap(np.arctan2(*ends.T[::-1]))
+    assert np.all(np.diff(angles) > 0)
+    close(np.mod(angles[[0, -1]], 2 * pi), [2, 4 + 0.1 / 3], atol=0.02)
+
+
 def test_pictures_of_a_planar_arm():
     reached = kl.workspace(kl.robots.two_link(), 2000)
-    for picture in (kl.envelope_picture, kl.density_picture):
-        picture(reached).savefig(io.BytesIO())
-    kl.slice_picture(reached, "z").savefig(io.BytesIO())
+    for fig in (kl.envelope_picture(reached), kl.density_picture(reached),
+                kl.slice_picture(reached, "z")):
+        assert fig.axes[0].get_xlabel() == "x (m)" and fig.axes[0].get_ylabel() == "y (m)"
+        fig.savefig(io.BytesIO())
 
 
 def test_bad_input():

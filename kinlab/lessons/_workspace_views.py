@@ -15,7 +15,7 @@ from ..sketch import Sketch
 L1, L2 = 1.0, 0.6  # m, the arm of the lesson
 _ORIGIN = (0, 0.0, 0.0, 0.0)
 _LINES, _POINTS = np.linspace(0, 1, 9), np.linspace(0, 1, 49)
-_TRACE = [{"layer": "trace", "label": "Trace", "title": "Path of the tool", "on": True}]
+_TRACE = [{"layer": "trace", "label": "Trace", "title": "Path of the tool", "on": False}]
 
 
 def ring_view() -> LiveView:
@@ -57,7 +57,7 @@ def limits_view(theta_1: tuple[float, float] = (-20, 130),
     sketch.items.clear()  # the curves are the grid
     ends = ((-180, 0, 0, 180), (-180, 50, 60, 180))
     limits = [_limits(sketch, k, *pair) for k, pair in enumerate(zip((theta_1, theta_2), ends), 1)]
-    sweeps = [sketch.knob(Knob(f"sweep_{k}", f"sweep {k}", 0, 1, home, "%", 0.01, 1.0,
+    sweeps = [sketch.knob(Knob(f"s_{k}", f"s{'₀₁₂'[k]}", 0, 1, home, "%", 0.01, 1.0,
                                f"how far joint {k} is from its lowest to its highest value"))
               for k, home in ((1, 0.5), (2, 0.4))]
     _mesh(sketch, *limits)
@@ -86,7 +86,7 @@ def _with_trace(sketch: Sketch, poses: list) -> LiveView:
     sketch._add("trace", TRACE, "trace", (_origin(sketch.tip),))
     sketch.items[-1] = replace(sketch.items[-1], layer="trace")
     poses = [[float(value) for value in pose] for pose in poses]
-    return sketch.view(panels={"layers": _TRACE, "poses": poses}, show=("trace",))
+    return sketch.view(panels={"layers": _TRACE, "poses": poses})
 
 
 def _origin(frame: int) -> Point:
@@ -118,8 +118,8 @@ def _circle_names(sketch: Sketch, l1: int, l2: int) -> None:
 def _sweeps() -> list[list[float]]:
     """Joint 1 there and back, while joint 2 bends a little more each time."""
     bends = np.radians(np.linspace(0, 180, 7))
-    ends = [(-pi, pi), (pi, -pi)]
-    return [[turn, bend, L1, L2] for k, bend in enumerate(bends) for turn in ends[k % 2]]
+    turns = (-pi, 0.0, pi)  # half a turn at a time: slow enough for a smooth trace
+    return [[turn, bend, L1, L2] for k, bend in enumerate(bends) for turn in turns[::1 - k % 2 * 2]]
 
 
 # ---- Limits -------------------------------------------------------------------------------
