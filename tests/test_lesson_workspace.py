@@ -52,7 +52,7 @@ def limited(low_1, high_1, low_2, high_2):
 def test_the_edges_are_the_sides_of_the_rectangle(ends):
     view = limited(*ends)
     low_1, high_1, low_2, high_2 = np.radians(ends)
-    turns, bends = np.linspace(low_1, high_1, 49), np.linspace(low_2, high_2, 49)
+    turns, bends = np.linspace(low_1, high_1, 41), np.linspace(low_2, high_2, 29)
     close(places(view, "bend-0"), tip(turns, low_2), atol=1e-12)
     close(places(view, "bend-8"), tip(turns, high_2), atol=1e-12)
     close(places(view, "turn-0"), tip(low_1, bends), atol=1e-12)

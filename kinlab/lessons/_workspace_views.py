@@ -14,7 +14,8 @@ from ..sketch import Sketch
 
 L1, L2 = 1.0, 0.6  # m, the arm of the lesson
 _ORIGIN = (0, 0.0, 0.0, 0.0)
-_LINES, _POINTS = np.linspace(0, 1, 9), np.linspace(0, 1, 49)
+# Curves, and the points of a curve about O and about P: as many as make it look round.
+_LINES, _WIDE, _SMALL = (np.linspace(0, 1, count) for count in (9, 41, 29))
 _TRACE = [{"layer": "trace", "label": "Trace", "title": "Path of the tool", "on": False}]
 
 
@@ -159,12 +160,12 @@ def _curve(sketch: Sketch, name: str, shoulders: Iterable[int], bend: Iterable[f
 
 def _mesh(sketch: Sketch, first: tuple[int, int], second: tuple[int, int]) -> None:
     """Curves of constant joint values; those at the limits are the coloured edges."""
-    along, across = (_shoulders(sketch, first, shares) for shares in (_POINTS, _LINES))
+    along, across = (_shoulders(sketch, first, shares) for shares in (_WIDE, _LINES))
     styles = ["x", *["mesh"] * (len(_LINES) - 2), "x"]
     for k, (share, style) in enumerate(zip(_LINES, styles)):
         _curve(sketch, f"bend-{k}", along, [share] * len(along), second, style)
     for k, (frame, style) in enumerate(zip(across, styles)):
-        _curve(sketch, f"turn-{k}", [frame] * len(_POINTS), _POINTS, second,
+        _curve(sketch, f"turn-{k}", [frame] * len(_SMALL), _SMALL, second,
                style.replace("x", "y"))
 
 
@@ -177,7 +178,7 @@ def _shoulders(sketch: Sketch, limits: tuple[int, int], shares: Iterable[float])
 def _edges(sketch: Sketch, first: tuple[int, int], second: tuple[int, int]) -> None:
     """The curve of the straightest arm, and the names of all five."""
     bent = [sketch.move(ROTATE, Z, 0, second[0], frame, start=0.0)  # 0, or the lowest if above
-            for frame in _shoulders(sketch, first, _POINTS)]
+            for frame in _shoulders(sketch, first, _WIDE)]
     sketch.line("straightest", (at(frame, (L2, 0, 0))[0] for frame in bent), "z")
     (beside,) = at(bent[round(0.6 * len(bent))], (L2 + 0.1, 0, 0))
     sketch.label("straightest", beside, "z")
