@@ -22,6 +22,9 @@ _NAMES = {
     "parsing": ("parse_number",),
     "euler": ("ZYZAngles", "zyz_angles", "zyz_matrix"),
     "arm_view": ("ArmView",),
+    "target_view": ("TargetView",),
+    "jacobian_view": ("velocity_view",),
+    "solve_picture": ("solve_view",),
 }
 _HOME = {name: module for module, names in _NAMES.items() for name in names}
 _MODULES = ("exercises", "lessons", "robots")

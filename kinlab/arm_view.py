@@ -65,16 +65,15 @@ class ArmView(LiveView):
     def __init__(self, arm: Arm, q: Any = None, *, closed_form: bool = False,
                  show: Sequence[str] = ("frames", "labels"), preset: str | None = None,
                  poses: Any = None) -> None:
-        start = _one_pose(arm, arm.home if isinstance(arm, Arm) and q is None else q)
+        start = one_pose(arm, arm.home if isinstance(arm, Arm) and q is None else q)
         preset = preset or ("top" if is_planar(arm) else "3-D")
         checks.choice("preset", preset, tuple(SPATIAL))
-        self.arm, show = arm, _layers(show)
+        self.arm, show = arm, layers(show)
         knobs = [joint_knob(arm, i) for i in range(arm.n)]
         scene = arm_scene(arm)
-        panels = {"poses": (_tour(knobs) if poses is None else _poses(arm, poses)).tolist(),
-                  "pose": _pose_table(arm, scene.radius),
-                  "layers": [{"layer": layer, "label": label, "title": title, "on": layer in show}
-                             for layer, label, title in _SWITCHES]}
+        panels = {"poses": (tour(knobs) if poses is None else _poses(arm, poses)).tolist(),
+                  "pose": pose_table(arm, scene.radius),
+                  "layers": switches(show)}
         super().__init__(scene, knobs, name=arm.name or "Arm", panels=panels, preset=preset,
                          show=show, below=[_formula(arm)] if closed_form else [])
         self.q = start
@@ -89,7 +88,7 @@ class ArmView(LiveView):
 
     @q.setter
     def q(self, q: Any) -> None:
-        self._move(_one_pose(self.arm, q))
+        self._move(one_pose(self.arm, q))
 
     @property
     def T(self) -> np.ndarray:
@@ -101,11 +100,21 @@ class ArmView(LiveView):
                 f"p=[{numbers(self.T[:3, 3])}] {self.arm.unit})")
 
     def _q_text(self) -> str:
-        values = [slider.value for slider in self.joints]
-        units = ["deg" if link.kind == REVOLUTE else self.arm.unit for link in self.arm.links]
-        if set(units) == {"deg"}:
-            return f"[{numbers(values)}] deg"
-        return "[" + ", ".join(f"{numbers([v])} {unit}" for v, unit in zip(values, units)) + "]"
+        return joints_text(self.arm, [slider.value for slider in self.joints])
+
+
+def joints_text(arm: Arm, values: Sequence[float]) -> str:
+    """Joint values in degrees and lengths, as text with their units."""
+    units = ["deg" if link.kind == REVOLUTE else arm.unit for link in arm.links]
+    if set(units) == {"deg"}:
+        return f"[{numbers(values)}] deg"
+    return "[" + ", ".join(f"{numbers([v])} {unit}" for v, unit in zip(values, units)) + "]"
+
+
+def switches(show: Sequence[str]) -> list[dict]:
+    """Buttons that show and hide the layers of an arm's picture."""
+    return [{"layer": layer, "label": label, "title": title, "on": layer in show}
+            for layer, label, title in _SWITCHES]
 
 
 def joint_knob(arm: Arm, i: int) -> Knob:
@@ -117,14 +126,15 @@ def joint_knob(arm: Arm, i: int) -> Knob:
     return Knob.length(f"d_{number}", f"d{subscript(number)}", low, high, home, arm.unit, title)
 
 
-def _pose_table(arm: Arm, size: float) -> dict:
+def pose_table(arm: Arm, size: float) -> dict:
+    """The table of the tool's pose beside a picture of this size."""
     tool = str(arm.n) if np.array_equal(arm.tool, np.eye(4)) else "E"
     columns = [{"name": name, "title": title} for name, title in _COLUMNS]
     return {"title": f"T₀{subscript(tool)}, the pose of the tool", "said": "tool",
             "columns": columns, "decimals": decimals(size), "unit": arm.unit}
 
 
-def _tour(knobs: Sequence[Knob]) -> np.ndarray:
+def tour(knobs: Sequence[Knob]) -> np.ndarray:
     """Home, then each joint out and back, towards its farther limit."""
     low, high, home = np.array([(knob.low, knob.high, knob.home) for knob in knobs]).T
     home = np.clip(home, low, high)
@@ -141,7 +151,8 @@ def _formula(arm: Arm) -> ipywidgets.HTMLMath:
     return formula
 
 
-def _one_pose(arm: Arm, q: Any) -> np.ndarray:
+def one_pose(arm: Arm, q: Any) -> np.ndarray:
+    """Joint values of one pose, checked."""
     q = joint_values(arm, q)
     if q.ndim != 1:
         raise ValueError(f"q: expected one pose, shape ({arm.n},), got {q.shape}; "
@@ -149,12 +160,13 @@ def _one_pose(arm: Arm, q: Any) -> np.ndarray:
     return q
 
 
-def _layers(show: Any) -> tuple[str, ...]:
+def layers(show: Any) -> tuple[str, ...]:
+    """Names of layers, checked."""
     try:
-        layers = (show,) if isinstance(show, str) else tuple(show)
+        names = (show,) if isinstance(show, str) else tuple(show)
     except TypeError:
-        layers = (show,)
-    return tuple(checks.choice("show", layer, LAYERS) for layer in layers)
+        names = (show,)
+    return tuple(checks.choice("show", name, LAYERS) for name in names)
 
 
 def _poses(arm: Arm, poses: Any) -> np.ndarray:

@@ -32,6 +32,14 @@ STYLES = {
     "dashed": dict(edgecolor=STEEL, linewidth=1.4, linestyle=(0, (4, 3))),
     "arc": dict(edgecolor=INK, linewidth=1.4),
     "vector": dict(edgecolor=INK, facecolor=INK, linewidth=2, joinstyle="round"),
+    "ellipse": dict(edgecolor="#56B4E9", facecolor=(0.34, 0.71, 0.91, 0.25), linewidth=1.6,
+                    joinstyle="round"),
+    "target": dict(edgecolor="#D55E00", linewidth=2.2),
+    "miss": dict(edgecolor="#D55E00", linewidth=1.4, linestyle=(0, (4, 3))),
+    "first": dict(edgecolor="#D55E00", linewidth=2, joinstyle="round"),
+    "second": dict(edgecolor="#0072B2", linewidth=2, joinstyle="round", linestyle=(0, (5, 2))),
+    "first-dot": dict(edgecolor="#D55E00", linewidth=8),
+    "second-dot": dict(edgecolor="#0072B2", linewidth=8),
     "trace": dict(edgecolor="#CC79A7", linewidth=1.6, joinstyle="round"),
 } | {axis: dict(edgecolor=colour, facecolor=colour, linewidth=1.8, joinstyle="round")
      for axis, colour in AXIS_COLOURS.items()}
@@ -50,10 +58,10 @@ def project(scene: Scene, frames: np.ndarray, view: np.ndarray, item: Item) -> n
     """The item's points on the picture: x right, y down (px), and nearness (length unit)."""
     index = [int(point[0]) for point in item.points]
     local = np.array([(*point[1:], 1.0) for point in item.points])
-    room = np.einsum("kij,kj->ki", frames[index][:, :3], local) - scene.middle(frames)
-    right, up, near = view @ room.T
-    (width, height), s = scene.size, scene.scale
-    return np.stack([width / 2 + s * right, height / 2 - s * up, near], axis=-1)
+    room = np.einsum("kij,kj->ki", frames[index][:, :3], local)
+    right, up, near = (np.eye(3) if item.paper else view) @ (room - scene.middle(frames)).T
+    (x, y), s = scene.heart, scene.scale
+    return np.stack([x + s * right, y - s * up, near], axis=-1)
 
 
 def outline(shape: str, points: np.ndarray) -> np.ndarray | None:

@@ -4,12 +4,19 @@
 
 // ---- geometry: the frame recurrence of kinlab/motions.py, projected as in kinlab/draw.py ----
 
-const ROTATE = 0;
+const ROTATE = 0, VELOCITY = 2;
 
 const run = (since) => Math.min(1, Math.max(0, since));
 
+/** What a list holds at 0, 1, 2, ..., and straight between them. */
+function between(track, place) {
+  const at = Math.max(0, Math.min(track.length - 1, place)), k = Math.floor(at);
+  return track[k] + (at - k) * ((track[k + 1] ?? track[k]) - track[k]);
+}
+
 /** How far a motion goes: amount + gain q, as far as knobs have scrubbed it. */
-function travel([, , amount, joint, gain, start, , scrub], q) {
+function travel([, , amount, joint, gain, start, , scrub, track], q) {
+  if (track) return between(track, q[joint]);
   const share = scrub ? run(q[scrub[0]] - scrub[1]) : 1;
   if (joint < 0) return share * amount;
   return share * (amount + gain * (start === null ? q[joint] : run(q[joint] - start)));
@@ -19,6 +26,7 @@ function travel([, , amount, joint, gain, start, , scrub], q) {
 export function frames(motions, q) {
   const all = [[[1, 0, 0], [0, 1, 0], [0, 0, 1], [0, 0, 0]]];
   for (const motion of motions) {
+    if (motion[0] === VELOCITY) { all.push(velocityFrame(motions, all, motion)); continue; }
     const [kind, axis] = motion, value = travel(motion, q), frame = all[motion[6]].slice();
     if (kind === ROTATE) {
       const i = (axis + 1) % 3, j = (axis + 2) % 3, c = Math.cos(value), s = Math.sin(value);
@@ -34,6 +42,41 @@ export function frames(motions, q) {
 }
 
 const dot = (u, v) => u.reduce((sum, e, k) => sum + e * v[k], 0);
+const cross = ([a, b, c], [d, e, f]) => [b * f - c * e, c * d - a * f, a * e - b * d];
+
+/** Velocity of a frame's origin for a unit rate of each of n knobs, as kinlab/velocity.py. */
+export function velocities(motions, all, of, n) {
+  const columns = Array.from({ length: n }, () => [0, 0, 0]), tip = all[of][3];
+  for (let k = of; k > 0; k = motions[k - 1][6]) {
+    const [kind, axis, , joint, gain] = motions[k - 1], direction = all[k][axis];
+    if (joint < 0) continue;
+    const arm = tip.map((e, i) => e - all[k][3][i]);
+    const turning = kind === ROTATE ? cross(direction, arm) : direction;
+    columns[joint] = columns[joint].map((e, i) => e + gain * turning[i]);
+  }
+  return columns;
+}
+
+/** The end of a Jacobian's column, or the ellipsoid of all velocities. */
+function velocityFrame(motions, all, [, of, rates, joint]) {
+  const tip = all[of][3];
+  const columns = velocities(motions, all, of, rates.length)
+    .map((column, i) => column.map((e) => e * rates[i]));
+  if (joint >= 0) return [...all[0].slice(0, 3), tip.map((e, k) => e + columns[joint][k])];
+  return [...root([0, 1, 2].map((i) => [0, 1, 2].map((j) =>
+    columns.reduce((sum, column) => sum + column[i] * column[j], 0)))), tip];
+}
+
+/** Columns of the lower triangle L with L Lᵀ = square; a direction that is flat gets zeros. */
+function root(square) {
+  const columns = [0, 1, 2].map(() => [0, 0, 0]), size = square[0][0] + square[1][1] + square[2][2];
+  columns.forEach((column, k) => {
+    const left = square.map((row, i) => row[k] - columns.reduce((sum, c) => sum + c[i] * c[k], 0));
+    if (left[k] <= 1e-12 * size) return;
+    for (let i = k; i < 3; i++) column[i] = left[i] / Math.sqrt(left[k]);
+  });
+  return columns;
+}
 
 /** A frame as another frame sees it. */
 const seenFrom = ([x, y, z, o], [u, v, w, p]) =>
@@ -41,16 +84,23 @@ const seenFrom = ([x, y, z, o], [u, v, w, p]) =>
 
 const inRoom = ([x, y, z, o], [a, b, c]) => o.map((_, k) => o[k] + a * x[k] + b * y[k] + c * z[k]);
 
+/** The picture's right and up as directions of the room. */
+function screenAxes(camera) {
+  const [a, e] = [camera.azimuth, camera.elevation].map((angle) => angle * Math.PI / 180);
+  const [ca, sa, ce, se] = [Math.cos(a), Math.sin(a), Math.cos(e), Math.sin(e)];
+  return [[-sa, ca, 0], [-se * ca, -se * sa, ce]];
+}
+
 /** A function that takes points of the room to [right, down, nearness] on the picture. */
 export function projector(scene, camera) {
   const [a, e] = [camera.azimuth, camera.elevation].map((angle) => angle * Math.PI / 180);
   const [ca, sa, ce, se] = [Math.cos(a), Math.sin(a), Math.cos(e), Math.sin(e)];
-  const [[width, height], scale] = [scene.size, scene.scale * camera.zoom];
+  const [[right, down], scale] = [scene.place, scene.scale * camera.zoom];
   return (p) => {
     const [x, y, z] = p.map((v, k) => v - scene.center[k]);
     const forward = ca * x + sa * y;
-    return [width / 2 + scale * (ca * y - sa * x),
-            height / 2 - scale * (ce * z - se * forward), ce * forward + se * z];
+    return [right + scale * (ca * y - sa * x),
+            down - scale * (ce * z - se * forward), ce * forward + se * z];
   };
 }
 
@@ -94,6 +144,7 @@ const PATHS = { line: polyline, trace: polyline, face, arrow, solid: hull };
 // ---- picture: sets the SVG's attributes, and puts nearer groups over farther ones ----
 
 const TRACE_LENGTH = 4000;
+const PAPER = { azimuth: -90, elevation: 90, zoom: 1 };   // x to the right, y up
 
 class Picture {
   constructor(svg, scene) {
@@ -124,15 +175,16 @@ class Picture {
   }
 
   draw(q) {
-    const { motions, focus, tip, center } = this.scene, at = frames(motions, q);
+    const { motions, focus, tip, center } = this.scene, at = this.at = frames(motions, q);
     const middle = focus === null ? center : at[focus][3];
     const project = projector({ ...this.scene, center: middle }, this.camera);
+    const onPaper = projector({ ...this.scene, center: middle }, PAPER);
     const depths = new Map();
     this.follow(at[tip][3]);
     for (const item of this.items) {
       const room = item.shape === "trace" ? this.path
         : item.points.map(([k, ...local]) => inRoom(at[k], local));
-      const points = room.map(project);
+      const points = room.map(item.paper ? onPaper : project);
       this.set(item, points);
       if (item.body >= 0) {
         const near = item.lift + points.reduce((sum, p) => sum + p[2], 0) / points.length;
@@ -171,7 +223,7 @@ class Picture {
 
 // ---- pointers and keys: drag or arrows orbit; wheel, pinch or +/- zoom; double click resets ----
 
-function orbit(box, picture, redraw, resetView) {
+function orbit(box, picture, redraw, resetView, grab) {
   const flat = Object.keys(picture.scene.presets).length === 1;   // a plane is seen from above
   const rotate = (right, up) => {
     if (flat) return;
@@ -189,9 +241,11 @@ function orbit(box, picture, redraw, resetView) {
     const [[x, y], [u, v]] = held.values();
     return Math.max(1, Math.hypot(x - u, y - v));
   };
-  let scrolled = 0;
-  box.style.touchAction = flat ? "pan-y" : "none";   // a page scrolls on past a flat picture
+  let scrolled = 0, carry = null;
+  // A page scrolls on past a flat picture in which nothing can be taken hold of.
+  box.style.touchAction = flat && !grab ? "pan-y" : "none";
   box.addEventListener("pointerdown", (event) => {
+    carry = held.size ? null : grab?.(event);
     held.set(event.pointerId, [event.clientX, event.clientY]);
     box.setPointerCapture(event.pointerId);
   });
@@ -199,11 +253,15 @@ function orbit(box, picture, redraw, resetView) {
     if (!held.has(event.pointerId)) return;
     const [x, y] = held.get(event.pointerId), before = held.size === 2 && spread();
     held.set(event.pointerId, [event.clientX, event.clientY]);
-    if (held.size === 1) rotate((event.clientX - x) * 0.5, (event.clientY - y) * 0.5);
+    if (held.size === 1 && carry) carry(event);
+    else if (held.size === 1) rotate((event.clientX - x) * 0.5, (event.clientY - y) * 0.5);
     if (before) zoom(spread() / before);
   });
   for (const end of ["pointerup", "pointercancel"]) {
-    box.addEventListener(end, (event) => held.delete(event.pointerId));
+    box.addEventListener(end, (event) => {
+      held.delete(event.pointerId);
+      carry = null;
+    });
   }
   box.addEventListener("dblclick", resetView);
   box.addEventListener("wheel", (event) => {
@@ -226,6 +284,36 @@ function orbit(box, picture, redraw, resetView) {
     event.stopPropagation();                       // the notebook has uses for these keys too
   });
   return () => document.removeEventListener("wheel", elsewhere, { capture: true });
+}
+
+const GRASP = 26;                                   // px: a finger's width
+
+/** Takes hold of the target under the pointer; in a plane the target comes to the pointer. */
+function grasp(picture, chase) {
+  const { scene, svg } = picture, { frame } = scene.target;
+  return (event) => {
+    const at = (e) => new DOMPoint(e.clientX, e.clientY).matrixTransform(svg.getScreenCTM().inverse());
+    const place = picture.at[frame][3], [x, y] = projector(scene, picture.camera)(place);
+    const hand = at(event), far = Math.hypot(hand.x - x, hand.y - y) > GRASP;
+    if (far && Object.keys(scene.presets).length > 1) return null;
+    const [right, up] = screenAxes(picture.camera), scale = scene.scale * picture.camera.zoom;
+    const offset = far ? [0, 0] : [hand.x - x, hand.y - y];
+    const take = (e) => {
+      const now = at(e), across = (now.x - offset[0] - x) / scale, above = (y + offset[1] - now.y) / scale;
+      chase.to(place.map((v, k) => v + across * right[k] + above * up[k]));
+    };
+    if (far) take(event);
+    return take;
+  };
+}
+
+/** What the error of a chased target is, and what the last solve took. */
+function missed(scene, all, solved) {
+  const { frame, tip, unit } = scene.target, gap = all[frame][3].map((v, k) => v - all[tip][3][k]);
+  const error = Math.hypot(...gap), far = error > 1e-4 * scene.radius;
+  const taken = solved ? ` after ${solved.steps} iteration${solved.steps === 1 ? "" : "s"}` : "";
+  return `error |p* − p| = ${number(error, scene.decimals)} ${unit}${taken}` +
+    (far && solved ? ": the arm gets no nearer from here" : "");
 }
 
 // ---- panels: buttons, the table of the tool's pose, the line of remarks ----
@@ -291,17 +379,22 @@ function readingLines({ readings, decimals, motions }) {
     });
     box.append(line);
   }
-  const vector = ({ tail, head, frame, size }, all) => {
+  const vector = ({ tail, head, frame, size, scale }, all) => {
     const [from, to] = [tail, head].map(([k, ...local]) => inRoom(all[k], local));
     const arrow = to.map((e, k) => e - from[k]);
-    const parts = all[frame].slice(0, size).map((axis) => number(dot(axis, arrow), decimals));
+    const parts = all[frame].slice(0, size).map((axis) => number(scale * dot(axis, arrow), decimals));
     return size > 1 ? `(${parts.join(", ")})` : parts[0];
   };
   const amount = (motion, q) => motion[0] === ROTATE
     ? number(travel(motion, q) * 180 / Math.PI, 1) : number(travel(motion, q), decimals);
+  const volume = ({ ellipsoid, size, scale }, all) =>
+    number(all[ellipsoid].slice(0, size).reduce((v, side, k) => v * side[k], scale), decimals);
+  const entry = ({ knob, texts }, q) =>
+    texts[Math.max(0, Math.min(texts.length - 1, Math.round(q[knob])))];
   const update = (all, q) => {
     for (const [span, part] of spans) {
-      span.textContent = part.step ? amount(motions[part.step - 1], q) : vector(part, all);
+      span.textContent = part.step ? amount(motions[part.step - 1], q)
+        : part.texts ? entry(part, q) : part.ellipsoid ? volume(part, all) : vector(part, all);
     }
   };
   return { node: box, update, text: () => [...box.children].map((l) => l.textContent).join("; ") };
@@ -312,19 +405,19 @@ function readingLines({ readings, decimals, motions }) {
 const smooth = (t) => t * t * t * (10 - 15 * t + 6 * t * t);   // starts and ends at rest
 
 class Mover {
-  constructor(joints, onStop) {
-    Object.assign(this, { joints, onStop, request: 0, writing: false });
+  constructor(onStop) {
+    Object.assign(this, { onStop, request: 0, writing: false });
   }
 
-  /** Move through poses, each in `duration` ms, for ever if `loop`. */
-  start(poses, duration, loop = false) {
+  /** Move joints through poses, each in `duration` ms, for ever if `loop`. */
+  start(joints, poses, duration, loop = false) {
     this.stop();
     if (matchMedia("(prefers-reduced-motion: reduce)").matches) duration = 0;
-    let from = this.joints.read(), next = 0, began = performance.now();
+    let from = joints.read(), next = 0, began = performance.now();
     const step = (now) => {
       const t = duration ? Math.max(0, Math.min(1, (now - began) / duration)) : 1;
       const to = poses[next], s = smooth(t);
-      this.write(t < 1 ? from.map((q, i) => q + s * (to[i] - q)) : to);
+      this.write(joints, t < 1 ? from.map((q, i) => q + s * (to[i] - q)) : to);
       if (t === 1) {
         [from, began, next] = [to, now, next + 1];
         if (next === poses.length) {
@@ -337,9 +430,9 @@ class Mover {
     this.request = requestAnimationFrame(step);
   }
 
-  write(q) {
+  write(joints, q) {
     this.writing = true;
-    this.joints.write(q);
+    joints.write(q);
     this.writing = false;
   }
 
@@ -393,9 +486,11 @@ export function mount(element, svg, scene, joints) {
   picture.svg.removeAttribute("height");
   const pose = scene.pose && poseTable(scene.pose);
   const lines = readingLines(scene);
+  const progress = make("div", { class: "kl-number" });
+  if (scene.target) lines.node.append(progress);
   const remark = make("div", { class: "kl-remark", role: "status" });
 
-  let preset = scene.preset, pending = 0, described = 0, note = "";
+  let preset = scene.preset, pending = 0, described = 0, note = "", solved = null;
   const remarks = () => {
     const q = joints.read();
     const text = note || scene.joints.flatMap(({ label, suffix, scale, low, high }, i) => {
@@ -414,6 +509,7 @@ export function mount(element, svg, scene, joints) {
     const q = joints.read(), all = picture.draw(q);
     pose?.update(seenFrom(all[scene.tip], all[scene.pose.base ?? 0]));
     lines.update(all, q);
+    if (chase) progress.textContent = missed(scene, all, solved);
     remarks();
     clearTimeout(described);
     described = setTimeout(describe, 400);          // a screen reader need not hear every step
@@ -421,8 +517,10 @@ export function mount(element, svg, scene, joints) {
   const redraw = () => { pending ||= requestAnimationFrame(draw); };
   const look = (name) => { preset = name; picture.reset(name); redraw(); };
 
+  const chase = scene.target && follower(scene, joints, (found) => { solved = found; });
+  const drive = chase?.drive ?? joints;
   let play = null;
-  const mover = new Mover(joints, () => {
+  const mover = new Mover(() => {
     play?.replaceChildren("▶ Play");
     play?.setAttribute("aria-pressed", "false");
   });
@@ -436,14 +534,14 @@ export function mount(element, svg, scene, joints) {
   const presets = Object.keys(scene.presets);
   const playing = ["▶ Play", "Move smoothly from pose to pose", () => {
     if (mover.request) return mover.stop();
-    mover.start(scene.poses, TOUR, true);
+    mover.start(chase?.lead ?? joints, scene.poses, TOUR, true);
     play.replaceChildren("Pause");
     play.setAttribute("aria-pressed", "true");
   }];
   const bar = toolbar([
-    ["Move", ["Home", "Move to where it began", () => mover.start([scene.home], MOVE)],
+    ["Move", ["Home", "Move to where it began", () => mover.start(drive, [scene.home], MOVE)],
       ...(scene.poses.length
-        ? [["Zero", "Set every joint to zero", () => mover.start([scene.zero], MOVE)], playing]
+        ? [["Zero", "Set every joint to zero", () => mover.start(drive, [scene.zero], MOVE)], playing]
         : [])],
     ["View", ...(presets.length > 1 ? presets : []).map((name) =>
       [name[0].toUpperCase() + name.slice(1), `View: ${name}`, () => look(name)])],
@@ -461,10 +559,11 @@ export function mount(element, svg, scene, joints) {
 
   element.classList.add("kl-live");
   element.append(bar, box, ...(pose ? [pose.node] : []), lines.node, remark);
-  const release = orbit(box, picture, redraw, () => look(preset));
+  const release = orbit(box, picture, redraw, () => look(preset), chase && grasp(picture, chase));
   const silence = joints.listen(() => {
     if (mover.request && !mover.writing) mover.stop();   // a hand on a slider takes over
     note = "";
+    if (!mover.writing) chase?.changed();
     redraw();
   });
   look(preset);

@@ -135,7 +135,7 @@ class LiveView(ipywidgets.Box):
 
     @property
     def readings(self) -> dict[str, tuple[np.ndarray, ...]]:
-        """The vectors of each formula under the picture, by its name."""
+        """The parts of each formula under the picture, by its name."""
         return self._scene.read(self._values)
 
     @property
@@ -230,6 +230,7 @@ class LiveView(ipywidgets.Box):
             "joints": [asdict(knob) | {"suffix": knob.suffix, "digits": knob.digits}
                        for knob in knobs],
             "decimals": decimals(self._scene.radius), "home": home, "poses": [],
+            "target": None, "radius": self._scene.radius,
             "zero": [min(max(0.0, knob.low), knob.high) for knob in knobs],
         }
 
@@ -255,7 +256,9 @@ def decimals(size: float) -> int:
     return min(3, max(1, 3 - math.floor(math.log10(size))))
 
 
-def _said(values: Sequence[float]) -> str:
+def _said(values: Sequence[float] | str) -> str:
+    if isinstance(values, str):
+        return values
     return f"({numbers(values)})" if len(values) > 1 else numbers(values)
 
 

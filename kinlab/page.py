@@ -41,7 +41,7 @@ _BRACKETS = re.compile(r"<mo[^>]*>(?:\[|&#x0005B;)</mo><mtable>(.*?)</mtable>"
 
 def script(host: str) -> str:
     """The live picture's JavaScript, and what ties it to its host: one module."""
-    return "".join((_HERE / f"{name}.js").read_text(encoding="utf-8") for name in ("live", host))
+    return "".join((_HERE / f"{name}.js").read_text(encoding="utf-8") for name in ("live", "reach", host))
 
 
 def classic_script() -> str:

@@ -14,6 +14,7 @@ from typing import Any
 import numpy as np
 
 from .motions import ROTATE, TRANSLATE, Frame, Motion, matrix
+from .velocity import Velocity
 
 LINE, FACE, SOLID, ARROW, TEXT, TRACE = "line", "face", "solid", "arrow", "text", "trace"
 SPATIAL = {"3-D": (-60.0, 24.0), "top": (-90.0, 90.0), "front": (-90.0, 0.0), "side": (0.0, 0.0)}
@@ -41,14 +42,28 @@ class Step:
     start: float | None = None
     parent: int | None = None
     scrub: tuple[int, float] | None = None
+    track: tuple[float, ...] | None = None
 
     def value(self, q: Sequence[float]) -> Any:
         """Angle (rad) or length of the motion at the knobs' values `q`."""
+        if self.track is not None:
+            return float(np.interp(q[self.joint], np.arange(len(self.track)), self.track))
         share = 1.0 if self.scrub is None else _run(q[self.scrub[0]] - self.scrub[1])
         if self.joint is None:
             return share * self.amount
         turned = q[self.joint] if self.start is None else _run(q[self.joint] - self.start)
         return share * (self.amount + self.gain * turned)
+
+    def frame(self, motions: Sequence, frames: Sequence[Frame], q: Sequence[float]) -> Frame:
+        """The frame that the motion leads to, given all motions and the frames before it."""
+        parent = frames[-1 if self.parent is None else self.parent]
+        return parent.moved(Motion(self.kind, self.axis, self.value(q)), ())
+
+    def data(self, k: int) -> list:
+        """Plain data for the browser; the motion begins at frame k unless it says otherwise."""
+        return [int(self.kind == TRANSLATE), self.axis, float(self.amount),
+                -1 if self.joint is None else self.joint, float(self.gain), self.start,
+                k if self.parent is None else self.parent, self.scrub, self.track]
 
 
 def _run(since: float) -> float:
@@ -63,7 +78,8 @@ class Item:
     shows it ('' for always), and items of one `body` stay together when nearer ones are
     laid over farther ones (body -1 lies under everything, in its order). `lift` brings a body
     nearer to the viewer than it is (length unit): a joint covers the link that ends in it,
-    frames lie on the arm and their names on both, so that they stay readable.
+    frames lie on the arm and their names on both, so that they stay readable. What is on `paper`
+    stays where it is however the picture is turned: x to the right, y up.
     """
 
     gid: str
@@ -74,20 +90,25 @@ class Item:
     layer: str = ""
     text: str = ""
     lift: float = 0.0
+    paper: bool = False
 
 
 @dataclass(frozen=True)
 class Vector:
-    """The vector from one point to another, with its first `size` components in a frame."""
+    """The vector from one point to another, with its first `size` components in a frame.
+
+    What stands for it on the picture may be drawn smaller; `scale` makes up for that.
+    """
 
     tail: Point
     head: Point
     frame: int = 0
     size: int = 2
+    scale: float = 1.0
 
     def read(self, scene: Scene, frames: np.ndarray, q: Sequence[float]) -> np.ndarray:
         tail, head = (frames[k] @ (*local, 1.0) for k, *local in (self.tail, self.head))
-        return (frames[self.frame][:3, :3].T @ (head - tail)[:3])[:self.size]
+        return self.scale * (frames[self.frame][:3, :3].T @ (head - tail)[:3])[:self.size]
 
 
 @dataclass(frozen=True)
@@ -102,12 +123,36 @@ class Amount:
 
 
 @dataclass(frozen=True)
+class Volume:
+    """The product of the half axes of a velocity ellipsoid (or ellipse, `size` 2)."""
+
+    ellipsoid: int
+    size: int = 2
+    scale: float = 1.0
+
+    def read(self, scene: Scene, frames: np.ndarray, q: Sequence[float]) -> np.ndarray:
+        sides = np.diagonal(frames[self.ellipsoid])[:self.size]
+        return np.array([self.scale * np.prod(sides)])
+
+
+@dataclass(frozen=True)
+class Entry:
+    """One of several texts, by the whole number that a knob stands at."""
+
+    knob: int
+    texts: tuple[str, ...]
+
+    def read(self, scene: Scene, frames: np.ndarray, q: Sequence[float]) -> str:
+        return self.texts[min(max(round(q[self.knob]), 0), len(self.texts) - 1)]
+
+
+@dataclass(frozen=True)
 class Reading:
-    """A formula under the picture: text with a ``{}`` for each vector or amount."""
+    """A formula under the picture: text with a ``{}`` for each part."""
 
     name: str
     text: str
-    vectors: tuple[Vector | Amount, ...]
+    vectors: tuple[Vector | Amount | Volume | Entry, ...]
 
 
 @dataclass(frozen=True)
@@ -118,7 +163,7 @@ class Scene:
     wherever it goes. `tip` is the frame that a table shows and whose path a trace draws.
     """
 
-    motions: tuple[Step, ...]
+    motions: tuple[Step | Velocity, ...]
     items: tuple[Item, ...]
     tip: int
     center: tuple[float, float, float]
@@ -127,18 +172,23 @@ class Scene:
     presets: dict[str, tuple[float, float]] = field(default_factory=lambda: dict(SPATIAL))
     readings: tuple[Reading, ...] = ()
     focus: int | None = None
+    place: tuple[float, float] | None = None  # of the centre on the picture (px), if not its middle
 
     @property
     def scale(self) -> float:
         """Pixels per length unit: the sphere around all that is drawn just fits the picture."""
         return (min(self.size) / 2 - _MARGIN) / self.radius
 
+    @property
+    def heart(self) -> tuple[float, float]:
+        """Where the centre lies on the picture (px)."""
+        return self.place or (self.size[0] / 2, self.size[1] / 2)
+
     def frames(self, q: Sequence[float]) -> np.ndarray:
         """Pose of every frame in the room, shape (len(motions) + 1, 4, 4)."""
         frames = [Frame()]
         for step in self.motions:
-            parent = frames[-1 if step.parent is None else step.parent]
-            frames.append(parent.moved(Motion(step.kind, step.axis, step.value(q)), ()))
+            frames.append(step.frame(self.motions, frames, q))
         return np.stack([matrix(frame) for frame in frames])
 
     def middle(self, frames: np.ndarray) -> np.ndarray:
@@ -154,14 +204,11 @@ class Scene:
     def data(self) -> dict:
         """The scene as plain data for the browser."""
         return {
-            "motions": [[int(m.kind == TRANSLATE), m.axis, float(m.amount),
-                         -1 if m.joint is None else m.joint, float(m.gain), m.start,
-                         k if m.parent is None else m.parent, m.scrub]
-                        for k, m in enumerate(self.motions)],
+            "motions": [motion.data(k) for k, motion in enumerate(self.motions)],
             "items": [asdict(item) for item in self.items],
             "readings": [asdict(reading) for reading in self.readings],
             "tip": self.tip, "center": self.center, "scale": self.scale, "size": self.size,
-            "presets": self.presets, "focus": self.focus,
+            "presets": self.presets, "focus": self.focus, "place": self.heart,
         }
 
 

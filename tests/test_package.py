@@ -34,8 +34,9 @@ MATHEMATICS = {
     "robots": {"numpy", "arm"},
     "__init__": set(),
 }
-DRAWING = ("scene", "arm_scene", "draw", "workspace_plots")
-VIEWS = ("live", "arm_view", "sketch", "link_view", "notebook_bar")
+DRAWING = ("velocity", "scene", "arm_scene", "draw", "workspace_plots")
+VIEWS = ("live", "arm_view", "sketch", "link_view", "notebook_bar", "target_view", "jacobian_view",
+         "solve_picture")
 WIDGETS = {"ipywidgets", "anywidget", "traitlets", "IPython"}
 
 

@@ -18,7 +18,8 @@ from kinlab.scene import SPATIAL
 COURSE = [kl.robots.two_link, kl.robots.practical_six_link, kl.robots.cylindrical,
           kl.robots.exam_2018, kl.robots.alpha_ii, kl.robots.intelledex_660t]
 course = pytest.mark.parametrize("robot", COURSE, ids=lambda robot: robot.__name__)
-SOURCE = Path(kl.__file__).with_name("live.js").read_text(encoding="utf-8")
+SOURCE = "".join(Path(kl.__file__).with_name(f"{name}.js").read_text(encoding="utf-8")
+                 for name in ("live", "reach"))
 LOAD = """async source => {
     const url = URL.createObjectURL(new Blob([source], {type: 'text/javascript'}));
     window.kinlab = await import(url);
