@@ -121,6 +121,8 @@ class LiveView(ipywidgets.Box):
         panel.add_class("kl-joints")
         super().__init__([self._canvas, panel, *below])
         self.add_class("kl-view")
+        if scene.wide:
+            self.add_class("kl-wide")
         for slider in self.sliders:
             slider.observe(self._forget, "value")
 

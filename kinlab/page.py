@@ -41,7 +41,8 @@ _BRACKETS = re.compile(r"<mo[^>]*>(?:\[|&#x0005B;)</mo><mtable>(.*?)</mtable>"
 
 def script(host: str) -> str:
     """The live picture's JavaScript, and what ties it to its host: one module."""
-    return "".join((_HERE / f"{name}.js").read_text(encoding="utf-8") for name in ("live", "reach", host))
+    parts = ("live", "reach", host)
+    return "".join((_HERE / f"{name}.js").read_text(encoding="utf-8") for name in parts)
 
 
 def classic_script() -> str:
@@ -64,7 +65,8 @@ def part(svg: str, data: dict, text: str, below: Iterable[str] = (), *,
     """
     plain = json.dumps(data, ensure_ascii=False, separators=(",", ":")).replace("<", r"\u003c")
     named = escape(f"Picture of the arm. {text}")
-    return (f'<div class="kl-view"{" data-address" if address else ""}>\n'
+    wide = " kl-wide" if data["scene"]["wide"] else ""
+    return (f'<div class="kl-view{wide}"{" data-address" if address else ""}>\n'
             f'<div class="kl-still" role="img" aria-label="{named}">{svg}</div>\n'
             f'{"".join(below)}\n<script type="application/json">{plain}</script>\n</div>')
 

@@ -180,6 +180,11 @@ class Scene:
         return (min(self.size) / 2 - _MARGIN) / self.radius
 
     @property
+    def wide(self) -> bool:
+        """Whether the picture wants the whole width of the page."""
+        return self.size[0] > SIZE[0]
+
+    @property
     def heart(self) -> tuple[float, float]:
         """Where the centre lies on the picture (px)."""
         return self.place or (self.size[0] / 2, self.size[1] / 2)
@@ -209,6 +214,7 @@ class Scene:
             "readings": [asdict(reading) for reading in self.readings],
             "tip": self.tip, "center": self.center, "scale": self.scale, "size": self.size,
             "presets": self.presets, "focus": self.focus, "place": self.heart,
+            "wide": self.wide,
         }
 
 

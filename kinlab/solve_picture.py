@@ -78,10 +78,8 @@ def solve_view(arm: Arm, target: Any, q0: Any = None, *, weights: Any = None,
         sketch.stand(k, method, trail)
     sketch.chart(methods, trails, max(last, 1))
     knob = Knob("step", "step", 0.0, float(max(last, 1)), 0.0, "", 1.0, 1.0, "step of the solve")
-    view = LiveView(sketch.scene(), [knob], name=f"{arm.name or 'Arm'}: {' and '.join(methods)}",
+    return LiveView(sketch.scene(), [knob], name=f"{arm.name or 'Arm'}: {' and '.join(methods)}",
                     panels={"poses": [[float(k)] for k in range(last + 1)]})
-    view.add_class("kl-wide")
-    return view
 
 
 def _two(methods: Any) -> tuple[str, str]:
