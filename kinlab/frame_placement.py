@@ -3,6 +3,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from functools import cached_property
 from itertools import pairwise
 from math import atan2, degrees
 from typing import Any
@@ -11,10 +12,13 @@ import numpy as np
 
 from . import checks
 from .arm import REVOLUTE, Arm
-from .kinematics import axis_frames, joint_values, link_frames
+from .kinematics import axis_frames, forward_kinematics, joint_values, link_frames
 from .verdict import CORRECT, NOT_YET, Verdict
 
-TOLERANCE = 1e-6  # rad, and of the drawing's size
+# In rad, and of the drawing's size: frames typed with four decimals pass. What passes is laid
+# upon the arm's own axes, so that the table that follows is exact.
+TOLERANCE = 3e-4
+ROUNDING, PARALLEL = 1e-9, 1e-6
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -37,7 +41,9 @@ def examine_frames(frames: Sequence, reference: Arm, q: Any = None) -> Placement
     """Check frames placed on a drawn arm by the rules of Denavit and Hartenberg (standard).
 
     Frame i sits on the axis of joint i + 1 with z along it, x_i is perpendicular to z_{i-1}
-    (rule 1) and meets it (rule 2). The last frame has no joint of its own: rules 1 and 2 hold.
+    (rule 1) and meets it (rule 2). The axis of a prismatic joint has a direction and no place:
+    its frame may sit anywhere. The last frame has no joint of its own: rules 1 and 2 hold.
+    Four decimals are enough: what is nearer than 0.017° and 3e-4 of the arm's size counts.
 
     Parameters
     ----------
@@ -74,28 +80,54 @@ def examine_frames(frames: Sequence, reference: Arm, q: Any = None) -> Placement
         raise ValueError(f"q: expected one pose of {reference.n} joint values, got {q.shape}; "
                          "give the pose that is drawn")
     z, x, origins = _vectors(frames, reference.n)
-    joints = link_frames(reference, q)[axis_frames(reference)]
-    drawing = _Drawing(z, x, origins, joints, reference)
+    drawing = _Drawing(z, x, origins, np.zeros(len(z), dtype=bool), reference, q)
     for i in range(reference.n + 1):
-        fault = _own(drawing, i) or (i and _towards(drawing, i)) or ""
-        if fault:
-            return Placement(NOT_YET, fault)
+        for check, settle in ((_own, _settle_on_axis), (_towards, _settle_across)):
+            if fault := check(drawing, i):
+                return Placement(NOT_YET, fault)
+            settle(drawing, i)
     return Placement(CORRECT, "All frames keep the rules.", _table(drawing))
 
 
 @dataclass(frozen=True, eq=False)
 class _Drawing:
+    """Frames in room coordinates, beside the arm's axes; `_settle_...` writes into them."""
+
     z: np.ndarray
     x: np.ndarray
     origins: np.ndarray
-    joints: np.ndarray
+    placed: np.ndarray  # whether the line on which a frame sits is settled
     reference: Arm
+    q: np.ndarray
 
-    @property
+    @cached_property
     def size(self) -> float:
-        """Of what is drawn; where all meets in one point, rounding leaves some noise."""
-        points = np.vstack([self.origins, self.joints[:, :3, 3]])
-        return max(np.ptp(points, axis=0).max(), 1e-6 * np.abs(points).max(), 1e-6)
+        """Of the arm; where all of it meets in one point, of the frames placed on it."""
+        tip = forward_kinematics(self.reference, self.q)[:3, 3]
+        arm = np.vstack([link_frames(self.reference, self.q)[:, :3, 3], tip])
+        noise = max(1e-6 * np.abs(arm).max(), 1e-6)
+        sizes = (np.ptp(points, axis=0).max() for points in (arm, self.origins))
+        return next((size for size in sizes if size > noise), noise)
+
+    @cached_property
+    def joints(self) -> np.ndarray:
+        """Poses whose z lies along the axis of each joint."""
+        return link_frames(self.reference, self.q)[axis_frames(self.reference)]
+
+    def turns(self, i: int) -> bool:
+        """Whether frame i sits on a revolute joint, whose axis has a place."""
+        return i < self.reference.n and self.reference.links[i].kind == REVOLUTE
+
+    def away(self, i: int, k: int) -> float:
+        """How far the origin of frame i is from the axis of joint k + 1."""
+        joint = self.joints[k]
+        return float(np.linalg.norm(np.cross(joint[:3, 2], self.origins[i] - joint[:3, 3])))
+
+    def normal(self, i: int) -> np.ndarray | None:
+        """The direction across z_{i-1} and z_i, or None where they are parallel."""
+        normal = np.cross(self.z[i - 1], self.z[i])
+        size = np.linalg.norm(normal)
+        return normal / size if size > PARALLEL else None
 
     def length(self, value: float) -> str:
         return f"{value + 0.0:.6g} {self.reference.unit}"
@@ -114,42 +146,79 @@ def _vectors(frames: Sequence, n: int) -> tuple[np.ndarray, np.ndarray, np.ndarr
 
 def _own(drawing: _Drawing, i: int) -> str:
     """What is wrong with a frame by itself and on its joint, or ""."""
-    z, x, origin = drawing.z[i], drawing.x[i], drawing.origins[i]
+    z, x = drawing.z[i], drawing.x[i]
     if i < drawing.reference.n:
-        joint, kind = drawing.joints[i], drawing.reference.links[i].kind
-        angle = _between_lines(z, joint[:3, 2])
+        angle = _between_lines(z, drawing.joints[i][:3, 2])
         if angle > TOLERANCE:
             return (f"z{i} must lie along the axis of joint {i + 1}, either way: "
                     f"turn it by {degrees(angle):.4g}°.")
-        away = np.linalg.norm(np.cross(joint[:3, 2], origin - joint[:3, 3]))
-        if kind == REVOLUTE and away > TOLERANCE * drawing.size:
+        away = drawing.away(i, i)
+        if drawing.turns(i) and away > TOLERANCE * drawing.size:
             return (f"The origin of frame {i} is {drawing.length(away)} away from the axis of "
                     f"joint {i + 1}: move it onto the axis.")
     tilt = _angle(x, z)
     if abs(tilt - np.pi / 2) > TOLERANCE:
         return (f"x{i} and z{i} are {degrees(tilt):.4g}° apart: the axes of a frame are "
-                f"perpendicular. Turn x{i}.")
+                f"perpendicular. Turn x{i} by {abs(90 - degrees(tilt)):.4g}°.")
     return ""
+
+
+def _settle_on_axis(drawing: _Drawing, i: int) -> None:
+    """Lay z exactly along the joint's axis, and the origin upon it where it has a place."""
+    z, n = drawing.z, drawing.reference.n
+    axis = drawing.joints[i][:3, 2] if i < n else z[n - 1]
+    if i < n or _between_lines(z[n], axis) <= TOLERANCE:
+        z[i] = np.copysign(1, z[i] @ axis) * axis
+    for k in [i] if drawing.turns(i) else _near(drawing, i):
+        point = drawing.joints[k][:3, 3]
+        drawing.origins[i] = point + (drawing.origins[i] - point) @ z[i] * z[i]
+        drawing.placed[i] = True
+
+
+def _near(drawing: _Drawing, i: int) -> list[int]:
+    """The turning axis, if any, on which the frame of a parallel slide was meant to sit."""
+    found = [k for k, joint in enumerate(drawing.joints) if drawing.turns(k)
+             and np.linalg.norm(np.cross(joint[:3, 2], drawing.z[i])) <= PARALLEL
+             and drawing.away(i, k) <= TOLERANCE * drawing.size]
+    return found[:1]
 
 
 def _towards(drawing: _Drawing, i: int) -> str:
     """How frame i breaks rule 1 or 2 towards the frame before it, or ""."""
+    if i == 0:
+        return ""
     z0, z, x = drawing.z[i - 1], drawing.z[i], drawing.x[i]
-    span = drawing.origins[i] - drawing.origins[i - 1]
-    normal, tilt = np.cross(z0, z), _angle(x, z0)
-    parallel = np.linalg.norm(normal) <= TOLERANCE
-    if not parallel and abs(tilt - np.pi / 2) > TOLERANCE:
-        turn = _between_lines(x, normal)
+    span, normal = drawing.origins[i] - drawing.origins[i - 1], drawing.normal(i)
+    tilt = _angle(x, z0)
+    if normal is not None and abs(tilt - np.pi / 2) > TOLERANCE:
         return (f"Rule 1: x{i} is not perpendicular to z{i - 1} (they are {degrees(tilt):.4g}° "
-                f"apart): turn x{i} by {degrees(turn):.4g}° about z{i}.")
+                f"apart): turn x{i} by {_turn(x, normal, z):.4g}° about z{i}.")
     miss = np.cross(x, z0)
     if abs(span @ miss) <= TOLERANCE * drawing.size:
         return ""
     start = f"Rule 2: x{i} is perpendicular to z{i - 1} but does not meet it: "
-    if parallel:
-        return (f"{start}z{i - 1} and z{i} are parallel, so point x{i} straight from one "
-                "to the other.")
+    if normal is None:
+        return (f"{start}z{i - 1} and z{i} are parallel, so point x{i} straight from one to the "
+                f"other. Turn it by {_turn(x, span - span @ z * z, z):.4g}° about z{i}.")
     return f"{start}slide the origin by {drawing.length(-(span @ miss) / (z @ miss))} along z{i}."
+
+
+def _settle_across(drawing: _Drawing, i: int) -> None:
+    """Lay x exactly across both axes, and the origin where x meets the axis before."""
+    z, x, normal = drawing.z[i], drawing.x[i], drawing.normal(i) if i else None
+    span = drawing.origins[i] - drawing.origins[i - 1] if i else np.zeros(3)
+    across = span - span @ z * z
+    if normal is not None:
+        x = np.copysign(1, x @ normal) * normal
+        miss = np.cross(x, drawing.z[i - 1])
+        drawing.origins[i] -= (span @ miss) / (z @ miss) * z
+    elif drawing.placed[i] and np.linalg.norm(across) > ROUNDING * drawing.size:
+        x = np.copysign(1, x @ across) * across
+    else:
+        x = x - x @ z * z
+        if not drawing.placed[i]:
+            drawing.origins[i] -= across - across @ x / (x @ x) * x
+    drawing.x[i] = x / np.linalg.norm(x)
 
 
 def _table(drawing: _Drawing) -> Arm:
@@ -177,6 +246,12 @@ def _row(A: np.ndarray) -> dict[str, float]:
 
 def _angle(u: np.ndarray, v: np.ndarray) -> float:
     return float(np.arctan2(np.linalg.norm(np.cross(u, v)), u @ v))
+
+
+def _turn(x: np.ndarray, wanted: np.ndarray, axis: np.ndarray) -> float:
+    """Degrees about an axis from x to the nearer end of another direction across that axis."""
+    wanted = np.copysign(1, x @ wanted) * wanted
+    return degrees(np.arctan2(axis @ np.cross(x, wanted), x @ wanted))
 
 
 def _between_lines(u: np.ndarray, v: np.ndarray) -> float:

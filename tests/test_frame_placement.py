@@ -1,4 +1,9 @@
-"""Frames placed on a drawn arm: valid ones give a table, broken ones are named."""
+"""Frames placed on a drawn arm: valid ones give a table, broken ones are named.
+
+KINLAB_EXAMINER sets on how many random arms, four times over.
+"""
+import os
+import re
 from math import pi, radians
 
 import mechanisms as m
@@ -8,6 +13,7 @@ import pytest
 import kinlab as kl
 from kinlab import robots
 
+COUNT = int(os.environ.get("KINLAB_EXAMINER", 400)) // 4
 Y, Z = np.eye(3)[1:]
 ARMS = [robots.two_link, robots.practical_six_link, robots.cylindrical, robots.exam_2018,
         robots.alpha_ii, robots.intelledex_660t]
@@ -57,7 +63,7 @@ def test_the_frames_of_a_table_give_the_table_back(make):
 
 def test_random_valid_frames_give_the_same_mechanism():
     rng = np.random.default_rng(5)
-    for _ in range(100):
+    for _ in range(COUNT):
         arm = m.random_arm(rng)
         new, q0, _ = m.reassigned(arm, rng)
         placement = kl.examine_frames(triples(new, np.zeros(arm.n)), arm, q0)
@@ -70,7 +76,7 @@ def test_random_valid_frames_give_the_same_mechanism():
 
 def test_random_frames_with_one_off_its_axis_are_refused():
     rng = np.random.default_rng(6)
-    for _ in range(100):
+    for _ in range(COUNT):
         arm = m.random_arm(rng, kinds=(kl.revolute,), n=int(rng.integers(2, 6)))
         new, q0, _ = m.reassigned(arm, rng)
         frames, i = triples(new, np.zeros(arm.n)), int(rng.integers(arm.n))
@@ -81,12 +87,67 @@ def test_random_frames_with_one_off_its_axis_are_refused():
                 f"z{i} must lie along the axis of joint {i + 1}, either way: turn it by 5.711°.")
 
 
+def obey(frames, message):
+    """The frames after what the message asks for, where it says how far and along or about what."""
+    slide = re.search(r"slide the origin by (\S+) m along z(\d)", message)
+    turn = re.search(r" by (\S+)° about z(\d)", message)
+    i = int((slide or turn)[2])
+    z, x, origin = frames[i]
+    if slide:
+        return moved(frames, i, origin=origin + float(slide[1]) * z)
+    return moved(frames, i, x=turned(x, z, float(turn[1])))
+
+
+def test_what_a_message_asks_for_mends_the_frame():
+    """Frames turned and slid at random: each message names the first broken one and repairs it."""
+    rng, said = np.random.default_rng(7), {"Rule 1": 0, "Rule 2": 0}
+    for _ in range(COUNT):
+        arm = m.random_arm(rng, n=int(rng.integers(2, 7)))
+        new, q0, _ = m.reassigned(arm, rng)
+        frames = triples(new, np.zeros(arm.n))
+        for i in range(1, arm.n + 1):
+            z, x, origin = frames[i]
+            x, origin = turned(x, z, rng.uniform(-80, 80)), origin + rng.uniform(-1, 1) * z
+            frames = moved(frames, i, x=x, origin=origin)
+        named = []
+        while not (placement := kl.examine_frames(frames, arm, q0)).ok:
+            said[placement.message[:6]] += 1
+            named.append(int(re.search(r"[xz](\d)", placement.message)[1]))
+            frames = obey(frames, placement.message)
+            assert len(named) <= 2 * arm.n, placement.message
+        assert named == sorted(named)
+        assert kl.same_mechanism(placement.arm, arm).ok
+    assert min(said.values()) > COUNT / 2
+
+
+def test_four_decimals_are_enough_and_the_table_is_exact():
+    rng = np.random.default_rng(9)
+    for _ in range(COUNT):
+        arm = m.random_arm(rng)
+        new, q0, _ = m.reassigned(arm, rng)
+        if np.ptp(kl.link_frames(arm, q0)[:, :3, 3], axis=0).max() < 0.5:
+            continue  # four decimals of a metre are rough for a small arm
+        frames = [np.round(frame, 4) for frame in triples(new, np.zeros(arm.n))]
+        placement = kl.examine_frames(frames, arm, q0)
+        assert placement.ok, placement.message
+        verdict = kl.same_mechanism(placement.arm, arm)
+        assert verdict.ok, verdict.message
+
+
+def test_a_frame_far_down_its_axis_loosens_no_other():
+    z, _, origin = GOOD[0]
+    far = moved(GOOD, 0, origin=origin - 1e6 * z)
+    assert kl.examine_frames(far, BENT).ok
+    refused(moved(far, 2, origin=GOOD[2][2] + GOOD[2][0]), BENT, None,
+            "slide the origin by -1 mm along z2.")
+
+
 def test_rule_1_is_named_with_the_turn():
     z, x, _ = GOOD[1]
     refused(moved(GOOD, 1, x=turned(x, z, 10)), BENT, None,
             "Rule 1: x1 is not perpendicular to z0 (they are ")
     message = kl.examine_frames(moved(GOOD, 1, x=turned(x, z, 10)), BENT).message
-    assert message.endswith("apart): turn x1 by 10° about z1.")
+    assert message.endswith("apart): turn x1 by -10° about z1.")
 
 
 @pytest.mark.parametrize("shift", [30, -12.5])
@@ -102,7 +163,7 @@ def test_rule_2_between_parallel_axes_asks_for_another_x():
     frames = triples(SCARA, q)
     refused(moved(frames, 1, x=turned(frames[1][1], Z, 20)), SCARA, q, "Rule 2: x1 is "
             "perpendicular to z0 but does not meet it: z0 and z1 are parallel, so point x1 "
-            "straight from one to the other.")
+            "straight from one to the other. Turn it by -20° about z1.")
 
 
 def test_an_origin_may_slide_along_parallel_axes_and_a_z_may_turn_round():
