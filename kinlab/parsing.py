@@ -19,7 +19,8 @@ _OPERATORS = {ast.Add: operator.add, ast.Sub: operator.sub, ast.Mult: operator.m
               ast.Div: operator.truediv, ast.Pow: operator.pow}
 _SIGNS = {ast.UAdd: operator.pos, ast.USub: operator.neg}
 # What keyboards, word processors and other programs write for the same signs.
-_SPELLINGS = {"°": " deg ", "π": " pi ", "−": "-", "–": "-", "×": "*", "·": "*", "^": "**"}
+_SPELLINGS = {"°": " deg ", "º": " deg ", "π": " pi ", "−": "-", "–": "-", "×": "*", "·": "*",
+              "^": "**"}
 _TOKEN = re.compile(r"\s*(?:(?P<number>(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?)"
                     r"|(?P<name>[A-Za-z_][A-Za-z_0-9]*)|(?P<sign>\*\*|[-+*/()]))")
 
@@ -162,4 +163,6 @@ def _combined(op: ast.operator, left: tuple, right: tuple) -> tuple[float, bool]
         _refuse_if(a_angle or abs(b) > LARGEST_POWER,
                    f"expected a power of a number, up to {LARGEST_POWER}")
         _refuse_if(a < 0 and b != int(b), "a root of a negative number is not real")
-    return _OPERATORS[type(op)](a, b), a_angle or b_angle
+    value = _OPERATORS[type(op)](a, b)
+    _refuse_if(not abs(value) <= checks.LARGEST, "it is too large")  # nor is it nan
+    return value, a_angle or b_angle

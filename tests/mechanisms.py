@@ -1,4 +1,5 @@
 """Random arms, other frame assignments of them, and an oracle for what a change alters."""
+import re
 from dataclasses import replace
 from itertools import pairwise
 from math import pi
@@ -111,6 +112,16 @@ def changed(arm, index, parameter, change):
     return replace(arm, links=links)
 
 
+def random_change(rng, arm, parameter=None):
+    """A row, a parameter and a change of 1e-6 up to 1, relative to what it changes."""
+    index, parameter = int(rng.integers(arm.n)), str(rng.choice(["theta", "d", "a", "alpha"]))
+    value, change = getattr(arm.links[index], parameter), 10 ** rng.uniform(-6, 0)
+    if parameter in ("d", "a"):
+        longest = max(max(abs(link.a), abs(link.d)) for link in arm.links)
+        change *= abs(value) if abs(value) > 1e-9 else max(longest, 1e-3)
+    return index, parameter, change * rng.choice([-1, 1])
+
+
 def alters(arm, index, parameter, change, rng):
     """Whether a change of one number of the table changes how the arm moves."""
     return max(slope(changed(arm, index, parameter, part * change), index, parameter, rng)
@@ -150,6 +161,25 @@ def body_motion(T, dT):
     """Small motions as the tool sees them: six numbers for each pose, in one row."""
     D = np.linalg.inv(T) @ dT
     return np.concatenate([D[:, [0, 0, 1], [1, 2, 2]], D[:, :3, 3]], axis=1).ravel()
+
+
+def repair_works(answer, reference, message):
+    """Whether the change that the message asks for makes the answer right."""
+    found = re.match(r"Joint (\d+): the \w+ (theta|d|a)\d+.* is .*; it should be (-?[\d.e-]+)(°?)",
+                     message)
+    if not found:
+        return False
+    value = float(found[3].rstrip(".")) * (pi / 180 if found[4] else 1)
+    row = int(found[1]) - 1
+    mended = changed(answer, row, found[2], value - getattr(answer.links[row], found[2]))
+    verdict = kl.same_mechanism(mended, reference)
+    return verdict.ok or ("should be" in verdict.message and close(verdict.message))
+
+
+def close(message):
+    """The message shows six digits: what is left after typing them in is rounding."""
+    got, wanted = re.search(r" is (-?[\d.e-]+)°?; .*should be (-?[\d.e-]+)", message).groups()
+    return abs(float(got) - float(wanted.rstrip("."))) < 1e-3
 
 
 def fits(answer, reference, signs, rng, starts=30, steps=60):

@@ -3,7 +3,6 @@
 KINLAB_EXAMINER sets how many random arms each property is tried on.
 """
 import os
-import re
 import time
 from dataclasses import replace
 from itertools import product
@@ -188,16 +187,6 @@ def test_every_valid_assignment_is_accepted():
         accepted(kl.to_modified(new) if rng.random() < 0.5 else new, arm)
 
 
-def random_change(rng, arm, parameter=None):
-    """A row, a parameter and a change of 1e-6 up to 1, relative to what it changes."""
-    index, parameter = int(rng.integers(arm.n)), str(rng.choice(["theta", "d", "a", "alpha"]))
-    value, change = getattr(arm.links[index], parameter), 10 ** rng.uniform(-6, 0)
-    if parameter in ("d", "a"):
-        longest = max(max(abs(link.a), abs(link.d)) for link in arm.links)
-        change *= abs(value) if abs(value) > 1e-9 else max(longest, 1e-3)
-    return index, parameter, change * rng.choice([-1, 1])
-
-
 def test_every_change_that_alters_the_mechanism_is_refused_by_name():
     rng = np.random.default_rng(2)
     altered, named, works = 0, 0, 0
@@ -205,7 +194,7 @@ def test_every_change_that_alters_the_mechanism_is_refused_by_name():
         arm = m.random_arm(rng)
         answer = arm if turn % 2 else m.reassigned(arm, rng)[0]
         answer = kl.to_modified(answer) if turn % 4 == 0 else answer
-        index, parameter, change = random_change(rng, answer)
+        index, parameter, change = m.random_change(rng, answer)
         wrong = m.changed(answer, index, parameter, change)
         verdict = kl.same_mechanism(wrong, arm)
         assert verdict.ok != m.alters(answer, index, parameter, change, rng), (turn, verdict)
@@ -213,28 +202,10 @@ def test_every_change_that_alters_the_mechanism_is_refused_by_name():
             altered += 1
             right = verdict.message.startswith(f"Joint {index + 1}:")
             named += right
-            works += not right and repair_works(wrong, arm, verdict.message)
+            works += not right and m.repair_works(wrong, arm, verdict.message)
     print(f"{COUNT} changes, {altered} alter the mechanism and are refused; {named} name the row "
           f"that was changed, {works} another one whose change also mends it")
     assert altered > COUNT / 6 and named >= 0.95 * altered
-
-
-def repair_works(answer, reference, message):
-    """Whether the change that the message asks for makes the answer right."""
-    found = re.match(r"Joint (\d+): the \w+ (theta|d|a)\d+.* is .*; it should be (-?[\d.e-]+)(°?)",
-                     message)
-    if not found:
-        return False
-    value = float(found[3].rstrip(".")) * (pi / 180 if found[4] else 1)
-    mended = row(answer, int(found[1]), **{found[2]: value})
-    verdict = kl.same_mechanism(mended, reference)
-    return verdict.ok or ("should be" in verdict.message and close(verdict.message))
-
-
-def close(message):
-    """The message shows six digits: what is left after typing them in is rounding."""
-    got, wanted = re.search(r" is (-?[\d.e-]+)°?; .*should be (-?[\d.e-]+)", message).groups()
-    return abs(float(got) - float(wanted.rstrip("."))) < 1e-3
 
 
 @pytest.mark.parametrize("seed", range(4))
