@@ -76,12 +76,18 @@ def expressions(names: Sequence[str], reference: Callable, points: Sequence[Case
     praise : str
     """
     def judge(answer: Any) -> str:
-        parts = _parts(answer, names, "expression")
-        results = [[_value(name, part, point, constants) for name, part in zip(names, parts)]
-                   for point in points]
+        results = evaluated(answer, names, points, constants)
         _compare(results, reference, points, lambda index: names[index[0]], slips)
         return praise
     return judge
+
+
+def evaluated(answer: Any, names: Sequence[str], points: Sequence[Case],
+              constants: Case) -> list[list[float]]:
+    """The numbers that a student's sympy expressions have at points; as in `expressions`."""
+    parts = _parts(answer, names, "expression")
+    return [[_value(name, part, point, constants) for name, part in zip(names, parts)]
+            for point in points]
 
 
 def values(right: Any, *, entry: Callable[[tuple], str], slips: Sequence[tuple[str, Any]] = (),
@@ -157,7 +163,7 @@ def joint_values(read: Callable[[Any], np.ndarray], conditions: Sequence[Callabl
             raise Wrong(f"{error}.") from None
         faults = [fault for condition in conditions if (fault := condition(q))]
         if faults:
-            raise Wrong(" ".join([faults[0], *_first(slips, lambda test: test(q))]))
+            raise Wrong(" ".join([faults[0], *first_of(slips, lambda test: test(q))]))
         return praise
     return judge
 
@@ -198,7 +204,7 @@ def _compare(results: Sequence, reference: Callable, cases: Sequence[Case],
             should, got = (f"{array[index] + 0.0:.6g}" for array in (right, result))
             fault = _for(case) + (f"{entry(index)} should be {should}, got {got}." if case
                                   else f"{entry(index)} is not {got}.")
-            raise Wrong(" ".join([fault, *_first(slips, is_slip)]))
+            raise Wrong(" ".join([fault, *first_of(slips, is_slip)]))
 
 
 def _array(result: Any, shape: tuple, case: Case) -> np.ndarray:
@@ -215,7 +221,7 @@ def _close(a: np.ndarray, b: Any) -> np.ndarray:
     return np.isclose(a, b, rtol=TOLERANCE, atol=TOLERANCE)
 
 
-def _first(slips: Sequence[Slip], matches: Callable) -> list[str]:
+def first_of(slips: Sequence[Slip], matches: Callable) -> list[str]:
     """The message of the first slip that matches, as a list of one, or an empty list."""
     return next(([message] for message, wrong in slips if matches(wrong)), [])
 

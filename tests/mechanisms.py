@@ -123,9 +123,16 @@ def random_change(rng, arm, parameter=None):
 
 
 def alters(arm, index, parameter, change, rng):
-    """Whether a change of one number of the table changes how the arm moves."""
-    return max(slope(changed(arm, index, parameter, part * change), index, parameter, rng)
-               for part in (0, 1)) > 1e-5
+    """Whether a change of one number of the table changes how the arm moves.
+
+    None where it does so by less than the tolerance: a number at an extremum, such as the angle
+    of a prismatic joint between parallel links, counts only by the square of its change.
+    """
+    before, after = (slope(changed(arm, index, parameter, part * change), index, parameter, rng)
+                     for part in (0, 1))
+    if before <= 1e-5 < after and after * abs(change) / 2 < 1e-6:
+        return None
+    return max(before, after) > 1e-5
 
 
 def slope(arm, index, parameter, rng):

@@ -4,7 +4,7 @@ from dataclasses import FrozenInstanceError
 import numpy as np
 import pytest
 import sympy as sp
-from answers import JUDGES, RIGHT, STUBS, WRONG
+from answers import ALSO, JUDGES, RIGHT, STUBS, WRONG
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -13,10 +13,18 @@ from kinlab.exercises import Verdict
 
 check = kl.exercises.check
 t1 = sp.Symbol("theta_1")
+
+
 @pytest.mark.parametrize("name", JUDGES)
 def test_the_solution_is_correct(name):
     verdict = check(name, RIGHT[name])
     assert verdict.ok and verdict.word == "Correct" and verdict.message
+
+
+@pytest.mark.parametrize("name, answer, words", ALSO)
+def test_another_right_answer_is_correct_too(name, answer, words):
+    verdict = check(name, answer)
+    assert verdict.ok and words in verdict.message, verdict
 
 
 @pytest.mark.parametrize("name, answer, words", WRONG)

@@ -1,21 +1,19 @@
 """Lesson 05, the DH recipe: a view of its two rules, and the judges of its exercises."""
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
-from functools import reduce
+from collections.abc import Callable
 from math import pi, radians
 from typing import Any
 
 import numpy as np
 
-from ..arm import Arm, revolute
-from ..judging import choices, expressions, values
-from ..kinematics import forward_kinematics
+from ..judging import choices, values
 from ..link_view import motions_view, parameters_view
 from ..live import Knob, LiveView
 from ..motions import ROTATE, TRANSLATE, X, Y, Z
 from ..scene import Vector, at
 from ..sketch import Sketch
+from . import _dh_recipe_exam
 
 __all__ = ["JUDGES", "motions_view", "parameters_view", "rules_view"]
 
@@ -67,95 +65,6 @@ _RULE_HINTS = {
     **{("links", k): _BOTH for k in range(1, 7)},
 }
 
-# ---- Exercises 2 to 5: the arm of the 2018 exam ---------------------------------------
-
-_LENGTHS = dict(d_1=0.5, L_off=0.2, a_2=0.4)
-_D1, _L, _A2 = _LENGTHS.values()
-_POINTS = [dict(theta_1=0.3, theta_2=0.7, d_3=0.45), dict(theta_1=-1.2, theta_2=0.4, d_3=0.6),
-           dict(theta_1=2.0, theta_2=-0.9, d_3=0.25)]
-Rows = np.ndarray
-
-
-def _rows(q1: float, q2: float, q3: float) -> Rows:
-    """The table: a row (theta, d, a, alpha) for each link."""
-    return np.array([[q1, _D1, 0, pi / 2], [q2 + pi / 2, _L, _A2, pi / 2], [pi / 2, q3, 0, 0]])
-
-
-def _changed(change: Callable[[Rows], Any], *q: float) -> Rows:
-    rows = _rows(*q)
-    change(rows)
-    return rows
-
-
-def _without_offset(rows: Rows) -> None:
-    rows[1, 0] -= pi / 2
-
-
-def _twisted_back(rows: Rows) -> None:
-    rows[:, 3] *= -1
-
-
-def _lengths_swapped(rows: Rows) -> None:
-    rows[:, [1, 2]] = rows[:, [2, 1]]
-
-
-def _moved_down(rows: Rows) -> None:
-    rows[:, 2:] = np.vstack([[0, 0], rows[:-1, 2:]])
-
-
-def _in_degrees(rows: Rows) -> None:
-    rows[:, 3] *= 180 / pi
-    rows[2, 0] *= 180 / pi
-    rows[1, 0] += 90 - pi / 2
-
-
-_OFFSET = ("The offset of joint 2 is missing: when theta_2* is 0, x2 already stands 90° away from "
-           "x1.", _without_offset)
-_TWIST = ("The sign of alpha is wrong: turn z_{i-1} to z_i about x_i by the right-hand rule.",
-          _twisted_back)
-_SWAPPED = ("d and a have changed places: d is measured along z, a along x.", _lengths_swapped)
-_TABLE_SLIPS = [
-    ("The angles are in degrees; write sp.pi/2 for 90°.", _in_degrees), _OFFSET, _TWIST,
-    _SWAPPED,
-    ("a and alpha stand one row too low: that is the modified (Craig) table. In the standard one "
-     "row i holds a_i and alpha_i.", _moved_down),
-]
-
-
-def _link(row: Any, convention: str = "standard") -> np.ndarray:
-    theta, d, a, alpha = row
-    return forward_kinematics(Arm([revolute(d=d, a=a, alpha=alpha)], convention=convention),
-                              [theta])
-
-
-def _product(links: slice, rows: Rows, convention: str = "standard") -> np.ndarray:
-    """The transform over a stretch of links, its entries row by row."""
-    return reduce(np.matmul, [_link(row, convention) for row in rows[links]]).ravel()
-
-
-def _matrix_judge(links: slice, praise: str, slips: Sequence = ()) -> Callable[[Any], str]:
-    """Judge of the sixteen entries of a product of link matrices."""
-    def right(*q: float) -> np.ndarray:
-        return _product(links, _rows(*q))
-
-    known = [
-        *slips,
-        ("This is the transpose: the axes of the new frame are columns.",
-         lambda *q: right(*q).reshape(4, 4).T.ravel()),
-        ("This is the inverse: it takes coordinates the other way.",
-         lambda *q: np.linalg.inv(right(*q).reshape(4, 4)).ravel()),
-        ("This is the modified (Craig) order, Rx Tx Rz Tz; the lecture's is Rz Tz Tx Rx.",
-         lambda *q: _product(links, _rows(*q), "modified")),
-        *((message, lambda *q, change=change: _product(links, _changed(change, *q)))
-          for message, change in (_OFFSET, _TWIST, _SWAPPED)),
-    ]
-    return expressions(_ENTRIES, right, _POINTS, constants=_LENGTHS, slips=known, praise=praise)
-
-
-_ENTRIES = tuple(f"row {i}, column {j}" for i in range(1, 5) for j in range(1, 5))
-_REVERSED = [("The factors stand in the wrong order: H_2^0 is A_1 times A_2.",
-              lambda *q: _product(slice(1, None, -1), _rows(*q)))]
-
 # ---- Exercise 6: parameters from a matrix ---------------------------------------------
 
 _MEASURED = np.array([radians(150), 0.3, -0.5, radians(-60)])
@@ -175,17 +84,7 @@ JUDGES: dict[str, Callable[[Any], str]] = {
     "dh_recipe.1": choices(
         _KEPT, {1, 2, 3, 4, 5, 6}, _RULE_HINTS, noun="transform",
         praise="Each rule takes away one freedom; 4 shows that turning x can repair a miss."),
-    "dh_recipe.2": expressions(
-        [f"{name} of row {i}" for i in (1, 2, 3) for name in ("theta", "d", "a", "alpha")],
-        lambda *q: _rows(*q).ravel(), _POINTS, constants=_LENGTHS,
-        slips=[(message, lambda *q, change=change: _changed(change, *q).ravel())
-               for message, change in _TABLE_SLIPS],
-        praise="This is the lecture's table: twelve numbers, three of them variables."),
-    "dh_recipe.3": _matrix_judge(slice(0, 1), "A_1 turns the column and lifts it by d_1."),
-    "dh_recipe.4": _matrix_judge(slice(1, 2), "The offset has turned cosines into sines."),
-    "dh_recipe.5": _matrix_judge(
-        slice(0, 2), "Column 4 is the elbow, column 3 the direction in which joint 3 will slide.",
-        _REVERSED),
+    **_dh_recipe_exam.JUDGES,
     "dh_recipe.6": values(
         _MEASURED, entry=lambda index: ("theta", "d", "a", "alpha")[index[0]],
         slips=_MEASURE_SLIPS,

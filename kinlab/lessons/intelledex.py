@@ -11,7 +11,8 @@ import numpy as np
 
 from .. import kinematics, robots
 from ..arm import Arm
-from ..judging import Blank, Wrong, choices, expressions, function, is_stub, joint_values
+from ..judging import Wrong, choices, expressions, joint_values
+from ._tables import table
 
 _ARM = robots.intelledex_660t()
 _JOINTS = tuple(f"theta_{i}" for i in range(1, 7))
@@ -29,32 +30,20 @@ def yaw_view() -> Any:
 # ---- Exercise 1: the table ----------------------------------------------------------------------
 
 
-def _pose(arm: Arm, *q: float) -> np.ndarray:
-    return kinematics.forward_kinematics(arm, q)
-
-
-def _table(**columns: Any) -> Callable:
-    """The tool's pose of the arm with some columns of its table replaced."""
-    links = [replace(link, **{name: float(column[i]) for name, column in columns.items()})
-             for i, link in enumerate(_ARM.links)]
-    return partial(_pose, replace(_ARM, links=links))
+def _table(**columns: Any) -> Arm:
+    """The arm with some columns of its table replaced."""
+    return replace(_ARM, links=[
+        replace(link, **{name: float(column[i]) for name, column in columns.items()})
+        for i, link in enumerate(_ARM.links)])
 
 
 _ALPHA, _A, _D = (np.array([getattr(link, name) for link in _ARM.links])
                   for name in ("alpha", "a", "d"))
-_HOME = _ARM.home
-_TABLE_CASES = [dict(zip(_JOINTS, np.radians(q))) for q in
-                ([20, -30, 45, -60, 70, 10], [-100, 40, 15, 80, -35, 60],
-                 [75, 110, -20, 30, 5, -90])]
 _TABLE_SLIPS = [
-    ("alpha is in radians: write np.pi / 2 or np.radians(90).", _table(alpha=np.degrees(_ALPHA))),
-    ("All twists have the wrong sign: from z0 to z1 it is +90° about x1.", _table(alpha=-_ALPHA)),
-    ("The twist of row 5 is missing or wrong: z5, the tool roll, is perpendicular to z4.",
+    ("The twist of row 5 is missing: z5, the tool roll, is perpendicular to z4.",
      _table(alpha=_ALPHA * [1, 1, 1, 1, 0, 1])),
-    ("The twist of row 5 has the wrong sign.", _table(alpha=_ALPHA * [1, 1, 1, 1, -1, 1])),
     ("The twist of row 2 is missing: the pitch axis z2 is perpendicular to the roll axis z1.",
      _table(alpha=_ALPHA * [1, 0, 1, 1, 1, 1])),
-    ("The twist of row 2 has the wrong sign.", _table(alpha=_ALPHA * [1, -1, 1, 1, 1, 1])),
     ("The tool is forgotten: d = 228.6 in row 6.", _table(d=_D * [1, 1, 1, 1, 1, 0])),
     ("The tool lies along z, so 228.6 is a link offset d, not a link length a.",
      _table(a=_A + [0, 0, 0, 0, 0, 228.6], d=_D * [1, 1, 1, 1, 1, 0])),
@@ -63,27 +52,7 @@ _TABLE_SLIPS = [
      _table(a=0 * _A, d=_D + [0, 0, 304.8, 304.8, 0, 0])),
     ("The links stand one row too high: a = 304.8 belongs to rows 3 and 4.",
      _table(a=np.roll(_A, -1))),
-    ("This table is right if it is read in the standard convention; yours says modified.",
-     partial(_pose, replace(_ARM, convention="modified"))),
-    ("The angles of soft home are values of q, not offsets theta in the table.",
-     _table(theta=_HOME)),
 ]
-_SAME_TOOL = function(
-    partial(_pose, _ARM), _TABLE_CASES, slips=_TABLE_SLIPS,
-    entry=lambda index: f"row {index[0] + 1}, column {index[1] + 1} of the tool's pose",
-    praise="Your arm puts the tool where it belongs in every pose that was tried. Add a cell "
-           "with kl.ArmView(my_arm) and see it.")
-
-
-def _my_arm(answer: Any) -> str:
-    if is_stub(answer):
-        raise Blank("Replace the ... by kl.Arm([kl.revolute(...), ...]).")
-    if not isinstance(answer, Arm):
-        raise Wrong("Expected an arm, made with kl.Arm([kl.revolute(...), ...]).")
-    if answer.n != _ARM.n:
-        raise Wrong(f"Your arm has {answer.n} rows; the arm has six joints, so six rows.")
-    return _SAME_TOOL(partial(_pose, answer))
-
 
 # ---- Exercise 2: the wrist ----------------------------------------------------------------------
 
@@ -174,7 +143,9 @@ _YAW_SLIPS = [
 ]
 
 JUDGES: dict[str, Callable[[Any], str]] = {
-    "intelledex.1": _my_arm,
+    "intelledex.1": table(
+        _ARM, ends=True, slips=_TABLE_SLIPS,
+        praise="Add a cell with kl.ArmView(my_arm) and see it."),
     "intelledex.2": expressions(
         ("w_x", "w_y", "w_z"), _wrist, _WRIST_POINTS,
         constants={"d_1": 373.4, "a_3": 304.8, "a_4": 304.8}, slips=_WRIST_SLIPS,

@@ -3,7 +3,6 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import replace
-from functools import partial
 from math import degrees, pi
 from typing import Any
 
@@ -11,10 +10,11 @@ import numpy as np
 
 from .. import euler, kinematics, robots
 from ..arm import Arm
-from ..judging import Blank, Wrong, function, is_stub, joint_values
+from ..judging import function, joint_values
 from . import _n_link_programs
-from ._n_link_programs import ARM_CASES, GIVEN, through
+from ._n_link_programs import GIVEN, through
 from ._n_link_views import both_conventions, misread, zyz_view
+from ._tables import table
 
 __all__ = ["JUDGES", "both_conventions", "misread", "zyz_view"]
 
@@ -23,55 +23,27 @@ __all__ = ["JUDGES", "both_conventions", "misread", "zyz_view"]
 _SIX = robots.practical_six_link()
 
 
-def _ends(arm: Arm, *q: float) -> np.ndarray:
-    """Pose of frame 6 and of the tool, shape (2, 4, 4)."""
-    return np.stack([kinematics.link_frames(arm, q)[-1], kinematics.forward_kinematics(arm, q)])
-
-
-def _six(tool: Any = None, convention: str = "modified", **columns: Any) -> Callable:
-    """`_ends` of the arm with some columns of its table replaced."""
+def _six(tool: Any = None, **columns: Any) -> Arm:
+    """The arm with some columns of its table replaced."""
     links = [replace(link, **{name: float(column[i]) for name, column in columns.items()})
              for i, link in enumerate(_SIX.links)]
-    return partial(_ends, replace(_SIX, links=links, convention=convention,
-                                  tool=_SIX.tool if tool is None else tool))
+    return replace(_SIX, links=links, tool=_SIX.tool if tool is None else tool)
 
 
 _ALPHA, _A, _D = (np.array([getattr(link, name) for link in _SIX.links])
                   for name in ("alpha", "a", "d"))
 _SIX_SLIPS = [
-    ("kinlab reads a table as standard unless you say convention=\"modified\".",
-     _six(convention="standard")),
-    ("Frame 6 is right, but the tool is forgotten: tool=kl.translation([0, 0, 1]).",
+    ("The arm is right, but the tool is forgotten: tool=kl.translation([0, 0, 1]).",
      _six(tool=np.eye(4))),
-    ("Frame 6 is right, but the tool lies along z6, not along x6.",
+    ("The arm is right, but its tool lies along z6, not along x6.",
      _six(tool=np.eye(4) + np.outer([1, 0, 0, 0], [0, 0, 0, 1]))),
-    ("The tip is right, but frame 6 has moved: d6 stands in no row of the table, it is the tool.",
-     _six(tool=np.eye(4), d=_D + [0, 0, 0, 0, 0, 1])),
     ("The sign of d in row 2 is wrong: the table says -d2.", _six(d=np.abs(_D))),
-    ("alpha is in radians: write np.radians(90), or np.pi / 2.", _six(alpha=np.degrees(_ALPHA))),
     ("The signs of alpha in rows 2, 4, 5, 6 are all turned round.", _six(alpha=-_ALPHA)),
     ("alpha and a stand one row too high: row i of a modified table holds those of i-1.",
      _six(alpha=np.roll(_ALPHA, -1), a=np.roll(_A, -1))),
     ("The values in brackets are the given joint angles. They are q, not offsets in the table.",
      _six(theta=GIVEN)),
 ]
-
-
-def _my_arm(answer: Any) -> str:
-    if is_stub(answer):
-        raise Blank("Replace the ... by your arm.")
-    if not isinstance(answer, Arm):
-        raise Wrong("Expected an arm, made with kl.Arm([kl.revolute(...), ...]).")
-    if answer.n != _SIX.n:
-        raise Wrong(f"Your arm has {answer.n} links, the table has six rows.")
-    return _SAME_ARM(partial(_ends, answer))
-
-
-_SAME_ARM = function(
-    partial(_ends, _SIX), ARM_CASES[2:], slips=_SIX_SLIPS,
-    entry=lambda index: f"{('T_06', 'T_0E')[index[0]]}, row {index[1] + 1}, column {index[2] + 1}",
-    praise="Your arm and the practical's agree in frame 6 and in the tool. Add a cell with "
-           "kl.ArmView(my_arm): it is your sketch.")
 
 # ---- Exercise 4: ZYZ angles, both branches ----------------------------------------------
 
@@ -165,7 +137,9 @@ _UP_SLIPS = [
 
 JUDGES: dict[str, Callable[[Any], str]] = {
     **_n_link_programs.JUDGES,
-    "n_link.3": _my_arm,
+    "n_link.3": table(
+        _SIX, strict=True, slips=_SIX_SLIPS,
+        praise="Add a cell with kl.ArmView(my_arm): it is your sketch."),
     "n_link.4": through(lambda *angles: [euler.zyz_matrix(*angles)], function(
         _branches, _ZYZ_CASES, slips=_ZYZ_SLIPS, entry=_zyz_entry,
         praise="Both branches, with the printed slip put right.")),

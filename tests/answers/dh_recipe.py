@@ -18,6 +18,11 @@ H_2 = sp.Matrix([[-c1 * s2, s1, c1 * c2, L * s1 - a2 * c1 * s2],
                  [c2, 0, s2, d1 + a2 * c2], [0, 0, 0, 1]])
 MEASURED = [radians(150), 0.3, -0.5, radians(-60)]
 
+X, Y, Z = np.eye(3)
+O_1, O_2, O_3 = (0, 0, 0.5), (0, -0.2, 0.9), (0.4, -0.2, 0.9)
+VIEW = [(Z, X, (0, 0, 0)), (-Y, X, O_1), (X, Z, O_2), (X, -Y, O_3)]
+FRAMES = [(Z, X, (0, 0, 0)), (Y, X, O_1), (X, Z, O_2), (X, Z, O_3)]
+
 RIGHT = {
     "dh_recipe.1": [{1, 3, 4, 5}, {1, 2, 4}, {1, 4}],
     "dh_recipe.2": TABLE,
@@ -25,6 +30,7 @@ RIGHT = {
     "dh_recipe.4": A_2,
     "dh_recipe.5": H_2,
     "dh_recipe.6": MEASURED,
+    "dh_recipe.7": FRAMES,
 }
 
 
@@ -42,10 +48,32 @@ def modified(theta, d, a, alpha):
                       [0, 0, 0, 1]])
 
 
+def frames(i, z=None, x=None, origin=None):
+    """FRAMES with one of them placed anew."""
+    new = [old if given is None else given for given, old in zip((z, x, origin), FRAMES[i])]
+    return [*FRAMES[:i], tuple(new), *FRAMES[i + 1:]]
+
+
 BACK_1 = sp.Matrix([[c1, 0, -s1, 0], [s1, 0, c1, 0], [0, -1, 0, d1], [0, 0, 0, 1]])
 BACK_2 = sp.Matrix([[-s2, 0, -c2, -a2 * s2], [c2, 0, -s2, a2 * c2], [0, -1, 0, L], [0, 0, 0, 1]])
 PLAIN_2 = sp.Matrix([[c2, 0, s2, a2 * c2], [s2, 0, -c2, a2 * s2], [0, 1, 0, L], [0, 0, 0, 1]])
 SWAPPED_2 = sp.Matrix([[-s2, 0, c2, -L * s2], [c2, 0, s2, L * c2], [0, 1, 0, a2], [0, 0, 0, 1]])
+
+HALF = sp.pi
+# (exercise, answer, words of the praise)
+ALSO = [
+    ("dh_recipe.2", table(r3c0=0), "another tool frame"),
+    ("dh_recipe.2", table(r1c0=t1 + HALF, r1c3=-RIGHT_ANGLE, r2c0=t2 - RIGHT_ANGLE), "x1 points"),
+    ("dh_recipe.2", table(r1c3=-RIGHT_ANGLE, r2c0=-t2 - RIGHT_ANGLE, r2c1=-L,
+                          r2c3=-RIGHT_ANGLE), "same mechanism"),
+    ("dh_recipe.2", table(r2c0=t2 - RIGHT_ANGLE, r2c2=-a2, r2c3=-RIGHT_ANGLE), "same mechanism"),
+    ("dh_recipe.2", table(r2c2=0, r3c0=0, r3c2=a2), "same mechanism"),
+    ("dh_recipe.7", [(-z, x, o) for z, x, o in VIEW], "z0 points the other way"),
+    ("dh_recipe.7", frames(2, z=-X), "z2 points the other way"),
+    ("dh_recipe.7", frames(3, z=Y, x=-Z), "z1 points the other way, so joint 2 counts backwards"),
+    ("dh_recipe.7", [(5 * Z, Y, (0, 0, -2)), *FRAMES[1:]], "z1 points"),
+    ("dh_recipe.7", [*FRAMES[:2], (X, Z, (0, -1, 3)), (X, Z, (0, -1, 0))], "z1 points"),
+]
 
 # (exercise, answer, words of the message)
 WRONG = [
@@ -56,13 +84,23 @@ WRONG = [
     ("dh_recipe.1", [{1, 3, 4, 5}, {1, 4}, {1, 4}], "share the origin"),
     ("dh_recipe.1", [{1, 3, 4, 5}, {1, 2, 4}, {1}], "keeps both rules"),
     ("dh_recipe.1", [{1, 3, 4, 5}, {1, 2, 4}, {7}], "no transform 7"),
-    ("dh_recipe.2", table(r1c3=90, r2c0=t2 + 90, r2c3=90, r3c0=90), "in degrees"),
+    ("dh_recipe.2", table(r1c3=90, r2c0=t2 + 90, r2c3=90, r3c0=90), "Angles are in radians"),
     ("dh_recipe.2", table(r2c0=t2), "offset of joint 2"),
     ("dh_recipe.2", table(r1c3=-RIGHT_ANGLE, r2c3=-RIGHT_ANGLE), "sign of alpha"),
     ("dh_recipe.2", TABLE[:, [0, 2, 1, 3]], "changed places"),
     ("dh_recipe.2", np.array([[t1, d1, 0, 0], [t2 + RIGHT_ANGLE, L, 0, RIGHT_ANGLE],
                               [RIGHT_ANGLE, d3, a2, RIGHT_ANGLE]]), "modified (Craig) table"),
-    ("dh_recipe.2", table(r3c1=0), "d of row 3 should be 0.45, got 0"),
+    ("dh_recipe.2", table(r3c1=0), "Row 3: its joint variable is d_3"),
+    ("dh_recipe.2", table(r1c0=2 * t1), "Row 1: its joint variable is theta_1"),
+    ("dh_recipe.2", table(r2c2=t2), "Row 2: its joint variable is theta_2"),
+    ("dh_recipe.2", table(r3c0=d3, r3c1=0), "Joint 3 is prismatic on the arm"),
+    ("dh_recipe.2", table(r1c1=0), "Joint 1: the offset d1 is 0"),
+    ("dh_recipe.2", table(r1c1=d1 + L), "Joint 1: the offset d1 is 0.7"),
+    ("dh_recipe.2", table(r1c3=0), "Joint 1: the twist alpha1 is 0°"),
+    ("dh_recipe.2", table(r2c3=0), "Joint 2: the twist alpha2 is 0°"),
+    ("dh_recipe.2", table(r2c1=0), "Joint 2: the offset d2 is 0"),
+    ("dh_recipe.2", table(r2c2=2 * a2), "Joint 2: the length a2 is 0.8; it should be 0.4"),
+    ("dh_recipe.2", table(r3c1=d3 + L), "does not stand as in the view"),
     ("dh_recipe.2", table(r3c1=sp.Symbol("q_3")), "d of row 3 holds q_3"),
     ("dh_recipe.2", table(r2c1=...), "still the stub"),
     ("dh_recipe.2", TABLE[:2], "got 8"),
@@ -89,9 +127,20 @@ WRONG = [
     ("dh_recipe.6", [MEASURED[0], 0.3, -0.5, -MEASURED[3]], "sign of alpha"),
     ("dh_recipe.6", [MEASURED[0], -0.5, 0.3, MEASURED[3]], "changed places"),
     ("dh_recipe.6", MEASURED[:3], "shape (4,)"),
+    ("dh_recipe.7", VIEW, "every z points as in the view"),
+    ("dh_recipe.7", frames(1, x=Z), "Rule 1: x1 is not perpendicular to z0"),
+    ("dh_recipe.7", frames(2, x=-Y), "turn x2 by 90° about z2"),
+    ("dh_recipe.7", frames(2, origin=(0.1, -0.2, 0.9)), "slide the origin by -0.1 m along z2"),
+    ("dh_recipe.7", frames(1, origin=(0, 0, 0.6)), "0.1 m away from the axis of joint 2"),
+    ("dh_recipe.7", frames(1, z=X), "z1 must lie along the axis of joint 2"),
+    ("dh_recipe.7", frames(3, x=X), "x3 and z3 are 0° apart"),
+    ("dh_recipe.7", FRAMES[:3], "expected 4 frames"),
+    ("dh_recipe.7", frames(2, origin=...), "expected 4 frames"),
+    ("dh_recipe.7", frames(2, x=(0, 0, 0)), "expected a direction for x"),
 ]
 
 STUBS = [("dh_recipe.1", [..., ..., ...]), ("dh_recipe.1", ...),
          ("dh_recipe.2", np.array([[...] * 4] * 3, dtype=object)), ("dh_recipe.2", None),
          ("dh_recipe.3", ...), ("dh_recipe.4", ...), ("dh_recipe.5", ...),
-         ("dh_recipe.6", [..., ..., ..., ...]), ("dh_recipe.6", ...)]
+         ("dh_recipe.6", [..., ..., ..., ...]), ("dh_recipe.6", ...),
+         ("dh_recipe.7", [[..., ..., ...]] * 4), ("dh_recipe.7", ...)]

@@ -30,23 +30,38 @@ RIGHT = {
     "intelledex.4": np.radians([90, 0, 90, 0, 45, 0]),
 }
 
+# (exercise, answer, words of the praise)
+ALSO = [
+    ("intelledex.1", kl.to_modified(arm()), "modified DH instead of standard"),
+    ("intelledex.1", arm(alpha=(R, -R, 0, 0, -R, 0)), "x2 points the other way"),
+    ("intelledex.1", arm(alpha=(-R, -R, 0, 0, -R, 0)), "x1 points the other way"),
+    ("intelledex.1", arm(alpha=(R, R, pi, 0, R, 0)), "z2 points the other way: your q3 turns back"),
+    ("intelledex.1", arm(a=(0, 0, -304.8, 304.8, 0, 0)), "x3 points the other way"),
+    ("intelledex.1", arm(d=(373.4, 0, 50, -80, 30, 228.6)), "slid along it"),
+    ("intelledex.1", arm(d=(-373.4, 0, 0, 0, 0, 228.6)), "another base frame"),  # z0 points down
+    ("intelledex.1", arm(d=(0, 0, 0, 0, 0, 228.6), base=kl.translation([0, 0, 373.4])), "base"),
+    ("intelledex.1", arm(d=(373.4, 0, 0, 0, 0, 0), tool=kl.translation([0, 0, 228.6])), "tool"),
+    ("intelledex.1", arm(theta=np.radians([90, -90, 90, 0, 90, 0])), "from a zero 90° away"),
+]
+
 # (exercise, answer, words of the message)
 WRONG = [
     ("intelledex.1", arm(alpha=(90, 90, 0, 0, 90, 0)), "radians"),
-    ("intelledex.1", arm(alpha=(-R, -R, 0, 0, -R, 0)), "All twists"),
     ("intelledex.1", arm(alpha=(R, R, 0, 0, 0, 0)), "row 5 is missing"),
-    ("intelledex.1", arm(alpha=(R, R, 0, 0, -R, 0)), "row 5 has the wrong sign"),
     ("intelledex.1", arm(alpha=(R, 0, 0, 0, R, 0)), "row 2 is missing"),
-    ("intelledex.1", arm(alpha=(R, -R, 0, 0, R, 0)), "row 2 has the wrong sign"),
     ("intelledex.1", arm(d=(373.4, 0, 0, 0, 0, 0)), "tool is forgotten"),
     ("intelledex.1", arm(a=(0, 0, 304.8, 304.8, 0, 228.6), d=(373.4, 0, 0, 0, 0, 0)), "along z"),
     ("intelledex.1", arm(d=(0, 0, 0, 0, 0, 228.6)), "column is forgotten"),
     ("intelledex.1", arm(a=(0,) * 6, d=(373.4, 0, 304.8, 304.8, 0, 228.6)), "along x"),
     ("intelledex.1", arm(a=(0, 304.8, 304.8, 0, 0, 0)), "one row too high"),
-    ("intelledex.1", arm(convention="modified"), "yours says modified"),
-    ("intelledex.1", arm(theta=np.radians([90, -90, 90, 0, 90, 0])), "not offsets"),
-    ("intelledex.1", arm(d=(373.4, 0, 0, 0, 0, 200)), "row 1, column 4"),
-    ("intelledex.1", kl.robots.alpha_ii(), "5 rows"),
+    ("intelledex.1", arm(convention="modified"), "were read as modified"),
+    ("intelledex.1", arm(d=(373.4, 0, 0, 0, 0, 200)), "Joint 6: the offset d6 is 200"),
+    ("intelledex.1", arm(d=(300, 0, 0, 0, 0, 228.6)), "Joint 1: the offset d1 is 300"),
+    ("intelledex.1", arm(a=(0, 0, 304.8, 300, 0, 0)), "Joint 4: the length a4 is 300"),
+    ("intelledex.1", arm(d=(373.4, 10, 0, 0, 0, 228.6)), "Joint 2: the offset d2 is 10"),
+    ("intelledex.1", arm(d=(373.4, 0, 0, 0, 20, 228.6)), "d3, d4, d5 count only together"),
+    ("intelledex.1", kl.Arm([kl.revolute()] * 5 + [kl.prismatic()]), "Joint 6 is revolute"),
+    ("intelledex.1", kl.robots.alpha_ii(), "Your table has 5 joints, the arm has 6"),
     ("intelledex.1", [[0, 373.4, 0, 90]] * 6, "Expected an arm"),
     ("intelledex.2", wrist(length=0), "forearm is forgotten"),
     ("intelledex.2", wrist(forearm=t4), "not by theta_4 alone"),

@@ -1,4 +1,5 @@
 """Answers to the exercises of Practical 3: right, typically wrong, and not attempted."""
+from dataclasses import replace
 from math import atan2, cos, hypot, pi
 
 import numpy as np
@@ -91,6 +92,19 @@ def unsigned(R):
     return [[*first[:2], atan2(R[2, 1], R[2, 0])], second]
 
 
+# z2, z3 and z4 turned round: their joints count backwards, and joint 2 starts half a turn away
+TURNED = kl.Arm([kl.revolute(), kl.revolute(alpha=-pi / 2, d=0.5), kl.revolute(a=0.5),
+                 kl.revolute(alpha=pi / 2, d=1), kl.revolute(alpha=pi / 2),
+                 kl.revolute(alpha=-pi / 2)], convention="modified", tool=kl.translation([0, 0, 1]))
+
+# (exercise, answer, words of the praise)
+ALSO = [
+    ("n_link.3", kl.to_standard(six()), "standard DH instead of modified"),
+    ("n_link.3", six(tool=(0, 0, 0), d=[0, -0.5, 0, 1, 0, 1]), "another tool frame"),
+    ("n_link.3", replace(six(), base=kl.translation([1, 2, 3])), "another base frame"),
+    ("n_link.3", TURNED, "points the other way"),
+]
+
 # (exercise, answer, words of the message)
 WRONG = [
     ("n_link.1", standard, "standard link matrix"),
@@ -120,16 +134,21 @@ WRONG = [
     ("n_link.2", lambda table, tool: (forward(table, tool)[0], forward(table, tool)[1] + 1),
      "x of p_E should be"),
     ("n_link.2", forward([[0, 0, 0, 0]], [0, 0, 0]), "Expected a function"),
-    ("n_link.3", six(convention="standard"), 'convention="modified"'),
+    ("n_link.3", six(convention="standard"), "convention='modified'"),
     ("n_link.3", six(tool=(0, 0, 0)), "tool is forgotten"),
     ("n_link.3", six(tool=(1, 0, 0)), "not along x6"),
-    ("n_link.3", six(tool=(0, 0, 0), d=[0, -0.5, 0, 1, 0, 1]), "stands in no row"),
     ("n_link.3", six(d=np.abs(D)), "-d2"),
-    ("n_link.3", six(turn=np.array), "alpha is in radians"),
+    ("n_link.3", six(turn=np.array), "Angles are in radians"),
+    ("n_link.3", six(a=[0, 0, 0.4, 0, 0, 0]), "Joint 3: the length a2 (in row 3) is 0.4"),
+    ("n_link.3", six(d=[0, -0.5, 0, 0, 0, 0]), "Joint 4: the offset d4 is 0; it should be 1"),
+    ("n_link.3", six(alpha=[0, 90, 0, -90, 0, -90]), "alpha4 (in row 5) is 0°"),
+    ("n_link.3", six(theta=[0, 0, 30, 0, 0, 0]), "theta3 should hold the offset 0°"),
+    ("n_link.3", kl.Arm([*six().links[:5], kl.prismatic(alpha=-pi / 2)], tool=six().tool,
+                        convention="modified"), "Joint 6 is revolute on the arm"),
     ("n_link.3", six(alpha=-np.array(ALPHA)), "all turned round"),
     ("n_link.3", six(alpha=np.roll(ALPHA, -1), a=np.roll(A, -1)), "one row too high"),
     ("n_link.3", six(theta=[0, 90, -90, 0, 0, 0]), "not offsets"),
-    ("n_link.3", kl.robots.two_link(), "has 2 links"),
+    ("n_link.3", kl.robots.two_link(), "has 2 joints, the arm has 6"),
     ("n_link.3", "arm", "Expected an arm"),
     ("n_link.4", printed_zyz, "the printed atan2(-r23, r31)"),
     ("n_link.4", same_psi, "turn round"),
