@@ -25,7 +25,7 @@ from kinlab.kinematics import axis_frames
 sys.path.insert(0, str(Path(__file__).parent.parent / "tests"))
 import mechanisms as m
 
-COUNT = 20_000  # valid assignments, and three times as many changes: a third of them alter
+COUNT = 20_000  # of valid assignments, and of changes: a third of them alter the mechanism
 # Shares of the z and x axes that are flipped, and of the origins that slide where they may.
 WAYS = {"another base and tool": (0, 0), "z and x flipped": (1, 0), "origins slid": (0, 1),
         "all at random": (0.5, 0.5)}
@@ -113,11 +113,12 @@ def main() -> None:
     count = int(sys.argv[1]) if len(sys.argv) > 1 else COUNT
     header("Judgements of the examiner, counted")
     rows, seen = accepted(count)
-    every, verdicts = changes(3 * count), ("altering", "refused", "named", "mends", "other joint",
-                                       "harmless", "accepted", "below")
     progress()
     table(["other frames for the same arm", "arms", "move alike", "accepted"], rows)
     table(["neighbouring axes of these arms", "pairs"], sorted(seen.items()))
+    every, verdicts = changes(count), ("altering", "refused", "named", "mends", "other joint",
+                                       "harmless", "accepted", "below")
+    progress()
     table(["changed", *verdicts], [[name, *(tally[word] for word in verdicts)]
                                    for name, tally in every.items()])
     total = sum(every.values(), Counter())

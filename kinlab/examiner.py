@@ -73,9 +73,10 @@ def same_mechanism(answer: Arm, reference: Arm, *, strict: bool = False) -> Verd
     match = matched(mine, layout)
     if match.faults:
         return Verdict(NOT_YET, _refusal(answer, mine, layout, match))
-    stance = _stance(answer, reference, mine, theirs, match) if strict else ""
+    signs = _plainest(mine, theirs, match.signs)
+    stance = _stance(answer, mine, theirs, signs) if strict else ""
     return Verdict(NOT_YET, stance) if stance else Verdict(CORRECT, _praise(mine, theirs, answer,
-                                                                            reference, match))
+                                                                            reference, signs))
 
 
 def _other_joints(answer: Arm, reference: Arm) -> str:
@@ -136,7 +137,7 @@ def _apart(a: float, b: float) -> tuple[str, str]:
 def _twisted(fault: Fault, answer: Arm, mine: Axes, layout: Layout, match: Match) -> str:
     i, angle, theirs = fault.row, fault.expected, layout.axes
     length = mine.a[i] * theirs.a[i] * np.sign(theirs.x[i] @ theirs.normal(i))
-    side = match.signs[i] * match.signs[i + 1] * np.sign(length)
+    side = match.signs[0, i] * match.signs[0, i + 1] * np.sign(length)
     if mine.turns[i] and mine.turns[i + 1] and abs(length) > TOLERANCE * mine.longest ** 2:
         allowed = [side * angle]  # the length tells which way x points
     else:
@@ -189,7 +190,7 @@ def _z(answer: Arm, i: int) -> str:
 # ---- The zero position and the tool --------------------------------------------------------------
 
 
-def _stance(answer: Arm, reference: Arm, mine: Axes, theirs: Axes, match: Match) -> str:
+def _stance(answer: Arm, mine: Axes, theirs: Axes, signs: np.ndarray) -> str:
     """How the answer stands other than the reference at q = 0, or "".
 
     The tool frames are laid upon each other. The first axis out of place, seen from the tool,
@@ -202,7 +203,7 @@ def _stance(answer: Arm, reference: Arm, mine: Axes, theirs: Axes, match: Match)
     if k == mine.n - 1:
         return _TOOL.format(answer.n)
     for j in range(k + 1, mine.n):
-        value = _zero(mine, j, k, match.signs[k] * z[k], points)
+        value = _zero(mine, j, k, signs[k] * z[k], points)
         links = list(mine.arm.links)
         links[j] = replace(links[j], **{links[j].variable: value})
         if k not in _out_of_place(axes_of(replace(mine.arm, links=links)), theirs)[0]:
@@ -259,16 +260,31 @@ def _points(axes: Axes) -> np.ndarray:
 # ---- A right table -------------------------------------------------------------------------------
 
 
-def _praise(mine: Axes, theirs: Axes, answer: Arm, reference: Arm, match: Match) -> str:
+def _plainest(mine: Axes, theirs: Axes, signs: np.ndarray) -> np.ndarray:
+    """Of the sign patterns that fit, the one by which the fewest choices differ.
+
+    A turned first axis counts twice: the base frame turns with it.
+    """
+    zeros = (np.abs(_zero_gaps(mine, theirs, signs)) > TOLERANCE).sum(axis=1)
+    turned = (signs < 0).sum(axis=1) + (signs[:, 0] < 0)
+    count = turned + (_sides(mine, theirs, signs) < 0).sum(axis=1) + zeros
+    return signs[np.lexsort((zeros, count))[0]]
+
+
+def _praise(mine: Axes, theirs: Axes, answer: Arm, reference: Arm, signs: np.ndarray) -> str:
     chosen = []
     if answer.convention != reference.convention:
         chosen.append(f"{answer.convention} DH instead of {reference.convention}")
     chosen += [f"{_z(answer, i)} points the other way: your q{i + 1} "
                f"{'turns' if mine.turns[i] else 'slides'} backwards"
-               for i in np.flatnonzero(match.signs < 0)]
-    chosen += _other_x(mine, theirs, match.signs) + _other_zero(mine, theirs, match.signs)
+               for i in np.flatnonzero(signs < 0)]
+    chosen += [f"x{i + 1} points the other way"
+               for i in np.flatnonzero(_sides(mine, theirs, signs[None])[0] < 0)]
+    chosen += [f"q{i + 1} counts from a zero {_apart(abs(degrees(gap)), np.inf)[0]}° away"
+               for i, gap in enumerate(_zero_gaps(mine, theirs, signs[None])[0])
+               if abs(gap) > TOLERANCE]
     chosen += [f"the origin on {_z(answer, i)} slid along it" for i in range(1, mine.n - 1)
-               if mine.turns[i] and _unequal(mine.d[i] * match.signs[i], theirs.d[i], mine)]
+               if mine.turns[i] and _unequal(mine.d[i] * signs[i], theirs.d[i], mine)]
     chosen += _other_ends(mine, theirs)
     if not chosen:
         zeros = ([(link.theta, link.d) for link in axes.arm.links] for axes in (mine, theirs))
@@ -283,11 +299,13 @@ def _unequal(a: float, b: float, axes: Axes) -> bool:
     return abs(a - b) > 1e-6 * axes.longest
 
 
-def _other_x(mine: Axes, theirs: Axes, signs: np.ndarray) -> list[str]:
-    sides = [_side(mine, i) * _side(theirs, i) *
-             (signs[i] * signs[i + 1] if sin(theirs.twist(i)) > TOLERANCE else 1)
-             for i in range(mine.n - 1)]
-    return [f"x{i + 1} points the other way" for i, side in enumerate(sides) if side < 0]
+def _sides(mine: Axes, theirs: Axes, signs: np.ndarray) -> np.ndarray:
+    """Whether each x between two axes points as theirs (1), the other way (-1), or freely (0)."""
+    sides = np.zeros((len(signs), mine.n))
+    for i in range(mine.n - 1):
+        turned = signs[:, i] * signs[:, i + 1] if sin(theirs.twist(i)) > TOLERANCE else 1
+        sides[:, i] = _side(mine, i) * _side(theirs, i) * turned
+    return sides
 
 
 def _side(axes: Axes, i: int) -> float:
@@ -298,17 +316,15 @@ def _side(axes: Axes, i: int) -> float:
     return np.sign(axes.a[i]) if both else 0.0
 
 
-def _other_zero(mine: Axes, theirs: Axes, signs: np.ndarray) -> list[str]:
-    """Revolute joints between axes that are not parallel to theirs: the bend tells the zero."""
-    found = []
+def _zero_gaps(mine: Axes, theirs: Axes, signs: np.ndarray) -> np.ndarray:
+    """How far the zeros of revolute joints are apart, where axes that are not parallel tell."""
+    gaps = np.zeros((len(signs), mine.n))
     for i in range(1, mine.n - 1):
         bent = min(sin(theirs.twist(i - 1)), sin(theirs.twist(i))) > TOLERANCE
         if mine.turns[i] and bent:
             here = turned_bend(mine.bend(i, i), signs, i, i)
-            if differ(here, there := theirs.bend(i, i)):
-                angle = _apart(abs(degrees(wrapped(here - there))), np.inf)[0]
-                found.append(f"q{i + 1} counts from a zero {angle}° away")
-    return found
+            gaps[:, i] = wrapped(here - theirs.bend(i, i))
+    return gaps
 
 
 def _other_ends(mine: Axes, theirs: Axes) -> list[str]:

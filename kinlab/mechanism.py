@@ -222,6 +222,7 @@ class Fault(NamedTuple):
 class Match(NamedTuple):
     """The best way to lay the answer's axes upon the reference's.
 
+    `signs` has a row for each sign pattern that is as good; `faults` belong to the first one.
     `single` where at most one number of the table is off.
     """
 
@@ -243,9 +244,10 @@ def matched(answer: Axes, layout: Layout) -> Match:
     signs, off, gaps = signs[order], off[order], gaps[order]
     bars = (flipped[order][:, None] * slopes.reshape(2 * answer.n, -1)) @ layout.fixed
     cost, fault = _lengths(answer, reference, gaps, bars)
-    best = np.argmin(off + 0.6 * cost)
+    score = off + 0.6 * cost
+    best = np.argmin(score)
     lengths = [fault(best)] if cost[best] else []
-    return Match(signs[best], [*_angles(answer, layout, signs[best]), *lengths],
+    return Match(signs[score == score[best]], [*_angles(answer, layout, signs[best]), *lengths],
                  bool(off[best] + cost[best] < 2))
 
 

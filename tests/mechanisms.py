@@ -128,11 +128,12 @@ def alters(arm, index, parameter, change, rng):
     None where it does so by less than the tolerance: a number at an extremum, such as the angle
     of a prismatic joint between parallel links, counts only by the square of its change.
     """
-    before, after = (slope(changed(arm, index, parameter, part * change), index, parameter, rng)
-                     for part in (0, 1))
-    if before <= 1e-5 < after and after * abs(change) / 2 < 1e-6:
+    if slope(arm, index, parameter, rng) > 1e-5:
+        return True
+    after = slope(changed(arm, index, parameter, change), index, parameter, rng)
+    if after > 1e-5 and after * abs(change) / 2 < 1e-6:
         return None
-    return max(before, after) > 1e-5
+    return after > 1e-5
 
 
 def slope(arm, index, parameter, rng):

@@ -129,6 +129,10 @@ def test_what_was_chosen_differently():
     flipped = kl.Arm([R(alpha=radians(30)), R(d=1, a=1, alpha=radians(-150)),
                       R(a=2, alpha=radians(-140)), R(d=1)])
     accepted(flipped, arm, "z2 points the other way: your q3 turns backwards")
+    turned = row(row(robots.intelledex_660t(), 2, alpha=-RIGHT), 5, alpha=-RIGHT)
+    accepted(turned, robots.intelledex_660t(), "Chosen differently: z2 points the other way: your "
+             "q3 turns backwards; z3 points the other way: your q4 turns backwards; z4 points the "
+             "other way: your q5 turns backwards.")
     accepted(row(arm, 2, theta=RIGHT), arm, "q2 counts from a zero 90° away")
     accepted(row(arm, 1, d=1), arm, "another base frame")
     accepted(row(arm, 4, d=3), arm, "another tool frame")

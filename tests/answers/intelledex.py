@@ -33,9 +33,9 @@ RIGHT = {
 # (exercise, answer, words of the praise)
 ALSO = [
     ("intelledex.1", kl.to_modified(arm()), "modified DH instead of standard"),
-    ("intelledex.1", arm(alpha=(R, -R, 0, 0, -R, 0)), "x2 points the other way"),
-    ("intelledex.1", arm(alpha=(-R, -R, 0, 0, -R, 0)), "x1 points the other way"),
-    ("intelledex.1", arm(alpha=(R, R, pi, 0, R, 0)), "z2 points the other way: your q3 turns back"),
+    ("intelledex.1", arm(alpha=(R, -R, 0, 0, -R, 0)), "z2 points the other way: your q3 turns"),
+    ("intelledex.1", arm(alpha=(-R, -R, 0, 0, -R, 0)), "z1 points the other way: your q2 turns"),
+    ("intelledex.1", arm(alpha=(R, R, pi, 0, R, 0)), "z3 points the other way: your q4 turns"),
     ("intelledex.1", arm(a=(0, 0, -304.8, 304.8, 0, 0)), "x3 points the other way"),
     ("intelledex.1", arm(d=(373.4, 0, 50, -80, 30, 228.6)), "slid along it"),
     ("intelledex.1", arm(d=(-373.4, 0, 0, 0, 0, 228.6)), "another base frame"),  # z0 points down
