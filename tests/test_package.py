@@ -32,6 +32,11 @@ MATHEMATICS = {
     "symbolic": {"sympy", "checks", "motions", "arm", "kinematics", "notation"},
     "euler": {"numpy", "checks", "motions", "transforms"},
     "robots": {"numpy", "arm"},
+    "mechanism": {"numpy", "arm", "kinematics"},
+    "verdict": set(),
+    "examiner": {"numpy", "arm", "kinematics", "mechanism", "verdict"},
+    "frame_placement": {"numpy", "checks", "arm", "kinematics", "verdict"},
+    "parsing": {"checks"},
     "__init__": set(),
 }
 DRAWING = ("velocity", "scene", "arm_scene", "draw", "workspace_plots")
