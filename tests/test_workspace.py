@@ -199,12 +199,16 @@ def test_words_say_how_far_the_points_go():
 
 
 def test_the_arm_at_home_is_drawn_in_each_picture():
-    """Shoulder, elbow, wrist and tip of the Alpha II, level at a height of 215 mm."""
-    reached = kl.workspace(kl.robots.alpha_ii(), 5000)
-    for fig in (kl.slice_picture(reached), kl.envelope_picture(reached),
-                kl.density_picture(reached)):
-        joints = next(line for line in fig.axes[0].lines if line.get_label() == "arm at home")
-        close(np.unique(joints.get_xydata().round(6), axis=0),
+    """Shoulder, elbow, wrist and tip of the Alpha II, level at a height of 215 mm.
+
+    Envelope and density show distances from the axis, so that a turn of the base is not seen.
+    """
+    arm = kl.robots.alpha_ii()
+    turned = kl.Arm(arm.links, home=[2, *arm.home[1:]])
+    here, there = kl.workspace(arm, 5000), kl.workspace(turned, 5000)
+    for fig in (kl.slice_picture(here), kl.envelope_picture(here), kl.density_picture(here),
+                kl.envelope_picture(there), kl.density_picture(there)):
+        close(np.unique(drawn(fig, "arm at home").round(6), axis=0),
               [[0, 0], [0, 215], [177.8, 215], [355.6, 215], [485.1, 215]], atol=1e-6)
 
 
@@ -248,6 +252,8 @@ def test_bad_input():
                        (lambda: reached.slice("x", 0, -1), "thickness"),
                        (lambda: reached.envelope(0), "bins"),
                        (lambda: reached.density(2.5), "bins"),
+                       (lambda: kl.envelope_picture(reached, 0), "bins"),
+                       (lambda: kl.density_picture(reached, 2.5), "bins"),
                        (lambda: kl.slice_picture(reached.points), "reached")]:
         with pytest.raises(ValueError, match=f"^{name}: expected "):
             call()
