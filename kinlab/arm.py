@@ -4,6 +4,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass, field, replace
 from functools import cached_property
+from html import escape
 from typing import Any
 
 import numpy as np
@@ -173,8 +174,9 @@ class Arm:
         head, *rows = self.table()
         tag = lambda name, cells: "".join(f"<{name}>{cell}</{name}>" for cell in cells)  # noqa: E731
         body = "".join(f"<tr>{tag('td', row)}</tr>" for row in rows)
-        return (f'<table><caption style="text-align: left; white-space: nowrap">{self._title()}'
-                f"</caption><thead><tr>{tag('th', head)}</tr></thead><tbody>{body}</tbody></table>")
+        return ('<table><caption style="text-align: left; white-space: nowrap">'
+                f"{escape(self._title())}</caption><thead><tr>{tag('th', head)}</tr></thead>"
+                f"<tbody>{body}</tbody></table>")
 
     def table(self) -> list[list[str]]:
         """The DH table as text: a header and one row per joint, in the convention's order."""

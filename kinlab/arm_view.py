@@ -12,7 +12,7 @@ from .arm import REVOLUTE, Arm
 from .arm_scene import LAYERS, arm_scene, is_planar, joint_range
 from .kinematics import forward_kinematics, joint_values
 from .live import Knob, LiveView, decimals, numbers
-from .scene import SPATIAL, subscript
+from .scene import SPATIAL, Scene, subscript
 
 _SWITCHES = (("frames", "Frames", "Frames of the links"), ("labels", "Labels", "Names of the axes"),
              ("axes", "Joint axes", "Axes of the joints"), ("trace", "Trace", "Path of the tool"),
@@ -66,17 +66,41 @@ class ArmView(LiveView):
                  show: Sequence[str] = ("frames", "labels"), preset: str | None = None,
                  poses: Any = None) -> None:
         start = one_pose(arm, arm.home if isinstance(arm, Arm) and q is None else q)
-        preset = preset or ("top" if is_planar(arm) else "3-D")
+        preset = preset or _preset(arm)
         checks.choice("preset", preset, tuple(SPATIAL))
         self.arm, show = arm, layers(show)
         knobs = [joint_knob(arm, i) for i in range(arm.n)]
-        scene = arm_scene(arm)
-        panels = {"poses": (tour(knobs) if poses is None else _poses(arm, poses)).tolist(),
-                  "pose": pose_table(arm, scene.radius),
-                  "layers": switches(show)}
-        super().__init__(scene, knobs, name=arm.name or "Arm", panels=panels, preset=preset,
-                         show=show, below=[_formula(arm)] if closed_form else [])
+        scene, poses = arm_scene(arm), None if poses is None else _poses(arm, poses)
+        super().__init__(scene, knobs, name=arm.name or "Arm", preset=preset, show=show,
+                         panels=_panels(arm, scene, knobs, show, poses),
+                         below=[_formula(arm)] if closed_form else [])
         self.q = start
+
+    def follow(self, arm: Arm, q: Any = None) -> None:
+        """Show another arm in the place of this one.
+
+        The view stays as it was turned, and what was switched on stays on. A closed form under
+        the picture stays that of the first arm.
+
+        Parameters
+        ----------
+        arm : Arm
+        q : array, shape (n,), optional
+            Joint values (rad or length); the arm's home if left out.
+
+        Examples
+        --------
+        >>> from kinlab import robots
+        >>> view = ArmView(robots.two_link())
+        >>> view.follow(robots.exam_2018())
+        >>> view
+        ArmView('2018 exam', q=[0 deg, 0 deg, 0.4 m], p=[0.4, -0.2, 0.9] m)
+        """
+        q = one_pose(arm, arm.home if isinstance(arm, Arm) and q is None else q)
+        knobs, scene = [joint_knob(arm, i) for i in range(arm.n)], arm_scene(arm)
+        self._replace(scene, knobs, q, arm.name or "Arm",
+                      _panels(arm, scene, knobs, self._show, None), _preset(arm))
+        self.arm = arm
 
     @property
     def joints(self) -> list[ipywidgets.FloatSlider]:
@@ -124,6 +148,16 @@ def joint_knob(arm: Arm, i: int) -> Knob:
     if link.kind == REVOLUTE:
         return Knob.angle(f"theta_{number}", f"θ{subscript(number)}", low, high, home, title)
     return Knob.length(f"d_{number}", f"d{subscript(number)}", low, high, home, arm.unit, title)
+
+
+def _preset(arm: Arm) -> str:
+    return "top" if is_planar(arm) else "3-D"
+
+
+def _panels(arm: Arm, scene: Scene, knobs: Sequence[Knob], show: Sequence[str],
+            poses: np.ndarray | None) -> dict:
+    return {"poses": (tour(knobs) if poses is None else poses).tolist(),
+            "pose": pose_table(arm, scene.radius), "layers": switches(show)}
 
 
 def pose_table(arm: Arm, size: float) -> dict:

@@ -58,10 +58,8 @@ function watchPython(el, sliders) {
  * Python too, and tells Python the rounded one. So it has none, and the steps are made here.
  */
 class Joint {
-  constructor(slider, { step, scale }) {
-    Object.assign(this, { slider, step, scale, settled: slider.get("value") });
-    this.low = slider.get("min");
-    this.high = slider.get("max");
+  constructor(slider) {
+    Object.assign(this, { slider, settled: slider.get("value") });
     spare(slider);
     slider.on("change:value", (_, value, options) => this.settle(options));
     // The slider's own view writes back what it was given, rounded: that is no change.
@@ -72,13 +70,18 @@ class Joint {
 
   /** The one joint of a slider, however often it is shown: two would round for each other. */
   static of(slider, data) {
-    if (!Joint.known.has(slider)) Joint.known.set(slider, new Joint(slider, data));
-    return Joint.known.get(slider);
+    if (!Joint.known.has(slider)) Joint.known.set(slider, new Joint(slider));
+    const { step, scale } = data;                   // another arm's, where the arm has changed
+    return Object.assign(Joint.known.get(slider), { step, scale });
   }
 
   static known = new WeakMap();
 
   get value() { return this.slider.get("value"); }
+
+  get low() { return this.slider.get("min"); }
+
+  get high() { return this.slider.get("max"); }
 
   echoes(value) { return Math.abs(value - this.settled) <= 1e-6 * this.step; }
 
@@ -159,7 +162,7 @@ function sliderKeys(panel, joints) {
   const handle = (event) => {
     if (event.target.getAttribute("role") !== "slider" || !(event.key in KEYS)) return;
     const sliders = [...panel.querySelectorAll("[role=slider]")];
-    joints[sliders.indexOf(event.target)].press(KEYS[event.key], event.shiftKey);
+    joints()[sliders.indexOf(event.target)].press(KEYS[event.key], event.shiftKey);
     event.preventDefault();
     event.stopPropagation();
   };
@@ -168,24 +171,35 @@ function sliderKeys(panel, joints) {
 }
 
 async function render({ model, el }) {
-  const scene = model.get("scene");
-  const joints = await sliderJoints(model, scene);
-  const live = mount(el, model.get("svg"), scene, joints);
+  let joints, live, latest = 0, unwatch = () => {};
+  const show = async () => {
+    const turn = ++latest;
+    live?.freeze();                                 // until the sliders of another arm are there
+    const found = await sliderJoints(model, model.get("scene"));
+    if (turn !== latest) return;
+    joints = found.joints;
+    unwatch();
+    live = mount(el, model.get("svg"), model.get("scene"), found, live?.dismount());
+    unwatch = watchPython(el, joints.map(({ slider }) => slider));
+    remark();
+  };
   const remark = () => live.note(model.get("note"));
+  await show();
   model.on("change:note", remark);
-  remark();
+  model.on("change:scene", show);
   keepWidgets(model.widget_manager);
-  const unwatch = watchPython(el, joints.joints.map(({ slider }) => slider));
   let release = () => {};
   const attach = requestAnimationFrame(() => {      // the view stands in the page by then
     const panel = el.closest(".kl-view")?.querySelector(".kl-joints");
-    if (panel) release = sliderKeys(panel, joints.joints);
+    if (panel) release = sliderKeys(panel, () => joints);
   });
   return () => {
+    latest = 0;
     cancelAnimationFrame(attach);
     release();
     unwatch();
     model.off("change:note", remark);
+    model.off("change:scene", show);
     live.dismount();
   };
 }

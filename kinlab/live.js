@@ -473,9 +473,10 @@ const MOVE = 700, TOUR = 900;                       // ms from pose to pose
  * @param svg the picture as matplotlib drew it, SVG text
  * @param scene plain data from kinlab's Scene and view (see live.py)
  * @param joints { read() -> q, write(q), listen(callback) -> stop }, in radians and lengths
- * @returns { note(text), dismount() }
+ * @param before what dismount() returned, to go on looking at another arm in the same way
+ * @returns { note(text), freeze(), dismount() }
  */
-export function mount(element, svg, scene, joints) {
+export function mount(element, svg, scene, joints, before = null) {
   const box = make("div", { class: "kl-picture", tabindex: "0", role: "application",
     "aria-label": `${scene.name}: picture of the arm. Arrow keys turn the view, ` +
                   "plus and minus zoom, 0 resets." });
@@ -553,8 +554,9 @@ export function mount(element, svg, scene, joints) {
   play = scene.poses.length ? bar.querySelectorAll("button")[2] : null;
   const buttons = [...bar.querySelectorAll('[aria-label="Show"] button')];
   switches.forEach(([, , , layer, on], k) => {
-    buttons[k].setAttribute("aria-pressed", on);
-    picture.show(layer, on);
+    const pressed = before?.shown[layer] ?? on;
+    buttons[k].setAttribute("aria-pressed", pressed);
+    picture.show(layer, pressed);
   });
 
   element.classList.add("kl-live");
@@ -567,16 +569,28 @@ export function mount(element, svg, scene, joints) {
     redraw();
   });
   look(preset);
+  if (before?.began === scene.preset) {
+    preset = before.preset;
+    picture.camera = before.camera;
+  }
   draw();
+  const freeze = () => {
+    mover.stop();
+    silence();
+    cancelAnimationFrame(pending);
+    pending = 0;
+  };
   return {
     note(text) { note = text; remarks(); },
+    freeze,
     dismount() {
-      mover.stop();
-      silence();
+      freeze();
       release();
-      cancelAnimationFrame(pending);
       clearTimeout(described);
       element.replaceChildren();
+      const shown = Object.fromEntries(switches.map(([, , , layer], k) =>
+        [layer, buttons[k].getAttribute("aria-pressed") === "true"]));
+      return { began: scene.preset, preset, camera: picture.camera, shown };
     },
   };
 }

@@ -65,12 +65,25 @@ class Knob:
 
     def slider(self) -> ipywidgets.FloatSlider:
         """An ordinary slider; live.js makes its steps (see Joint there)."""
+        return ipywidgets.FloatSlider(step=None, **self._looks())
+
+    def fitted(self, slider: ipywidgets.FloatSlider | None) -> ipywidgets.FloatSlider:
+        """A slider made over to this knob, if one is given whose numbers look alike."""
+        looks = self._looks()
+        if slider is None or slider.readout_format != looks["readout_format"]:
+            return self.slider()
+        with slider.hold_sync():
+            slider.max = max(slider.max, looks["max"])  # never below the lower end
+            for trait in ("min", "max", "description", "tooltip"):
+                setattr(slider, trait, looks[trait])
+        return slider
+
+    def _looks(self) -> dict[str, Any]:
         low, high = (round(end / self.scale, 9) for end in (self.low, self.high))
         unit = f" ({self.unit})" if self.unit else ""
-        return ipywidgets.FloatSlider(
-            value=min(max(self.home / self.scale, low), high), min=low, max=high, step=None,
-            readout_format=f".{self.digits}f", description=self.label + unit,
-            tooltip=self.title or self.label)
+        return {"min": low, "max": high, "value": min(max(self.home / self.scale, low), high),
+                "readout_format": f".{self.digits}f", "description": self.label + unit,
+                "tooltip": self.title or self.label}
 
     @property
     def digits(self) -> int:
@@ -111,20 +124,15 @@ class LiveView(ipywidgets.Box):
     def __init__(self, scene: Scene, knobs: Sequence[Knob], *, name: str = "",
                  panels: dict | None = None, below: Sequence[ipywidgets.Widget] = (),
                  preset: str | None = None, show: Sequence[str] = ()) -> None:
-        self._scene, self._knobs, self._name = scene, tuple(knobs), name
-        self._preset, self._show = preset or next(iter(scene.presets)), tuple(show)
-        self._scales = np.array([knob.scale for knob in knobs])
-        self.sliders = [knob.slider() for knob in knobs]
-        self._canvas = Canvas(svg=self._still(), scene=self._data() | (panels or {}),
-                              sliders=self.sliders)
-        panel = ipywidgets.VBox(self.sliders)
-        panel.add_class("kl-joints")
-        super().__init__([self._canvas, panel, *below])
+        self._show, self.sliders = tuple(show), []
+        self._take(scene, knobs, name, preset)
+        self._canvas = Canvas(**self._picture(panels))
+        self._panel = ipywidgets.VBox(self.sliders)
+        self._panel.add_class("kl-joints")
+        super().__init__([self._canvas, self._panel, *below])
         self.add_class("kl-view")
         if scene.wide:
             self.add_class("kl-wide")
-        for slider in self.sliders:
-            slider.observe(self._forget, "value")
 
     def __getitem__(self, name: str) -> ipywidgets.FloatSlider:
         names = [knob.name for knob in self._knobs]
@@ -132,7 +140,7 @@ class LiveView(ipywidgets.Box):
 
     def close(self) -> None:
         """Close the view and everything that it is made of; its memory is free again."""
-        for part in _parts(self):
+        for part in parts(self):
             ipywidgets.Widget.close(part)
 
     @property
@@ -190,16 +198,55 @@ class LiveView(ipywidgets.Box):
         every = {item.layer for item in self._scene.items}
         return draw.svg(draw.figure(self._scene, self._values, self._preset, tuple(every)))
 
+    def _take(self, scene: Scene, knobs: Sequence[Knob], name: str, preset: str | None) -> None:
+        """Show another scene. Sliders stay where they fit, so that nothing piles up."""
+        spare = self.sliders
+        self._scene, self._knobs, self._name = scene, tuple(knobs), name
+        self._preset = preset or next(iter(scene.presets))
+        self._scales = np.array([knob.scale for knob in knobs])
+        self.sliders = [knob.fitted(spare[k] if k < len(spare) else None)
+                        for k, knob in enumerate(knobs)]
+        for slider in self.sliders:
+            if slider not in spare:
+                slider.observe(self._forget, "value")
+        for slider in spare:
+            if slider not in self.sliders:
+                for part in parts(slider):
+                    part.close()
+
+    def _picture(self, panels: dict | None) -> dict:
+        """What the canvas needs."""
+        return {"svg": self._still(), "scene": self._data() | (panels or {}),
+                "sliders": self.sliders}
+
+    def _replace(self, scene: Scene, knobs: Sequence[Knob], values: np.ndarray, name: str,
+                 panels: dict, preset: str) -> None:
+        """Another scene in the place of this one, in one step for the browser."""
+        self._canvas.hold = True
+        self._take(scene, knobs, name, preset)
+        note = self._set(values)
+        if self._panel.children != tuple(self.sliders):
+            self._panel.children = self.sliders
+        with self._canvas.hold_sync():
+            for trait, value in self._picture(panels).items():
+                setattr(self._canvas, trait, value)
+            self._canvas.note, self._canvas.hold = note, False
+
     def _move(self, values: np.ndarray) -> None:
         """Set all knobs at once; those beyond a limit stop there, and the view says so."""
+        self._canvas.hold = True
+        note = self._set(values)
+        self._canvas.hold = False
+        self._canvas.note = note
+
+    def _set(self, values: np.ndarray) -> str:
+        """Set all sliders within their limits, and say which stopped there."""
         low, high = np.array([(knob.low, knob.high) for knob in self._knobs]).T
         allowed = np.clip(values, low, high)
-        self._canvas.hold = True
         for slider, value in zip(self.sliders, allowed / self._scales):
             slider.value = value
-        self._canvas.hold = False
         stopped = np.abs(allowed - values) > 1e-9 * (high - low)
-        self._canvas.note = "; ".join(
+        return "; ".join(
             f"{knob.label} stops at its limit, {slider.value:.6g}{knob.suffix}"
             for knob, slider, beyond in zip(self._knobs, self.sliders, stopped) if beyond)
 
@@ -246,10 +293,10 @@ def _carried(widget: ipywidgets.Widget) -> str:
     return '<p class="kl-needs">What stands here in the notebook needs JupyterLab.</p>'
 
 
-def _parts(widget: ipywidgets.Widget) -> list[ipywidgets.Widget]:
+def parts(widget: ipywidgets.Widget) -> list[ipywidgets.Widget]:
     """A widget, its layout and style, and those of all widgets within it."""
     own = [getattr(widget, name) for name in ("layout", "style") if widget.has_trait(name)]
-    inner = [part for child in getattr(widget, "children", ()) for part in _parts(child)]
+    inner = [part for child in getattr(widget, "children", ()) for part in parts(child)]
     return [widget, *own, *inner]
 
 
