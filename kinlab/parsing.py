@@ -56,6 +56,11 @@ def parse_number(text: str, names: Mapping[str, float] | None = None) -> float:
     >>> parse_number("-d2", {"d2": 500})
     -500.0
     """
+    return read_number(text, names)[0]
+
+
+def read_number(text: str, names: Mapping[str, float] | None = None) -> tuple[float, bool]:
+    """The number that `parse_number` gives, and whether it carries an angle's unit."""
     if not isinstance(text, str):
         raise ValueError(f"text: expected text, got {checks.brief(text)}; put it in quotes")
     if len(text) > LONGEST:
@@ -63,13 +68,13 @@ def parse_number(text: str, names: Mapping[str, float] | None = None) -> float:
                          "work part of it out first")
     known = _known({} if names is None else names)
     try:
-        value, _ = _value(ast.parse(_spelled(text, known), mode="eval").body, known)
+        value, angle = _value(ast.parse(_spelled(text, known), mode="eval").body, known)
         _refuse_if(not abs(value) <= checks.LARGEST, "it is too large")
     except (*_REASONS, SyntaxError, MemoryError, RecursionError) as error:
         reason = _REASONS.get(type(error), "look for a missing operator or bracket")
         raise ValueError(f"{checks.brief(text)}: expected a number such as -90 deg, pi/2 or 177.8; "
                          f"{reason or error}") from None
-    return value + 0.0  # no -0.0
+    return value + 0.0, angle  # no -0.0
 
 
 class _Refused(Exception):
