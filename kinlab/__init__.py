@@ -25,6 +25,7 @@ _NAMES = {
     "target_view": ("TargetView",),
     "jacobian_view": ("velocity_view",),
     "solve_picture": ("solve_view",),
+    "table_editor": ("DHTableEditor",),
 }
 _HOME = {name: module for module, names in _NAMES.items() for name in names}
 _MODULES = ("exercises", "lessons", "robots")

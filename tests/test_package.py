@@ -37,11 +37,15 @@ MATHEMATICS = {
     "examiner": {"numpy", "arm", "kinematics", "mechanism", "verdict"},
     "frame_placement": {"numpy", "checks", "arm", "kinematics", "verdict"},
     "parsing": {"checks"},
+    "cells": {"checks", "parsing"},
+    "dh_table": {"numpy", "checks", "arm", "parsing", "cells"},
+    "dh_csv": {"checks", "arm", "cells", "dh_table"},
+    "dh_code": {"checks", "arm", "parsing", "cells", "dh_csv", "dh_table"},
     "__init__": set(),
 }
 DRAWING = ("velocity", "scene", "arm_scene", "draw", "workspace_plots")
 VIEWS = ("live", "arm_view", "sketch", "link_view", "notebook_bar", "target_view", "jacobian_view",
-         "solve_picture")
+         "solve_picture", "table_editor")
 WIDGETS = {"ipywidgets", "anywidget", "traitlets", "IPython"}
 
 

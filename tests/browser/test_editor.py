@@ -1,0 +1,303 @@
+"""The DH table driven in a real JupyterLab: by mouse and keyboard, light and dark."""
+import re
+
+import numpy as np
+import pytest
+from lab import run_code, set_theme
+from playwright.sync_api import expect
+from reading import numbers, read, settle
+
+CELL = "import kinlab as kl\neditor = kl.DHTableEditor(kl.robots.alpha_ii())\neditor"
+
+
+@pytest.fixture
+def table(live):
+    """The editor's element, alive, with the arm below it."""
+    def show(*cells, views=1):
+        found = live(*(cells or [CELL]), views=views)[0].page.locator(
+            ".jp-Notebook:visible .kl-editor")
+        found.nth(views - 1).locator(".kl-dh").wait_for()
+        return found.nth(0) if views == 1 else [found.nth(k) for k in range(views)]
+
+    return show
+
+
+def cell(editor, row, letter):
+    """A cell by its accessible name: 'a' of row 2 begins with 'a₂, '."""
+    return editor.get_by_label(f"{letter}{'₀₁₂₃₄₅₆₇₈₉'[row]}, ", exact=False).and_(
+        editor.locator("input"))
+
+
+def button(editor, name):
+    return editor.get_by_role("button", name=name, exact=True)
+
+
+def type_in(found, text, key="Enter"):
+    found.fill(text)
+    found.press(key)
+
+
+def python(editor, expression):
+    return run_code(editor.page, f"print({expression})").strip()
+
+
+def position(editor):
+    """p of T_0n as the page shows it."""
+    return [row[3] for row in read(editor)["cells"][:3]]
+
+
+def wait_for_position(editor, p):
+    for text, value in zip(range(3), p):
+        expect(editor.locator(".kl-pose tbody tr").nth(text).locator("td").nth(3)).to_have_text(
+            f"{value:.1f}".replace("-", "−"))
+
+
+def assert_drawn(editor):
+    """The picture of the page is the one that a fresh view of Python's arm draws first."""
+    code = ("from kinlab.arm_scene import arm_scene; s = arm_scene(editor.arm); import numpy; "
+            "print(*numpy.array([f[:3, 3] for f in s.frames(editor.view.q)])[-1], *s.center, "
+            "s.scale, *s.size)")
+    x, y, z, *more = map(float, run_code(editor.page, code).split())
+    center, scale, size = np.array(more[:3]), more[3], more[4:]
+    a, e = np.radians([-60, 24])
+    p = np.array([x, y, z]) - center
+    ahead = p[0] * np.cos(a) + p[1] * np.sin(a)
+    tool = [size[0] / 2 + scale * (p[1] * np.cos(a) - p[0] * np.sin(a)),
+            size[1] / 2 - scale * (p[2] * np.cos(e) - ahead * np.sin(e))]
+    drawn = numbers(read(editor)["paths"]["tool"])
+    assert np.abs(drawn - tool).max() < 0.02
+
+
+def test_a_wrong_cell_its_reason_and_the_arm_that_moves(table):
+    editor = table()
+    a2, drawn = cell(editor, 2, "a"), read(editor)["paths"]["tool"]
+    wait_for_position(editor, [485.1, 0, 215])
+    type_in(a2, "1,5")
+    expect(a2).to_have_attribute("aria-invalid", "true")
+    reason = editor.locator(f"#{a2.get_attribute('aria-describedby')}")
+    expect(reason).to_have_text("a₂: '1,5': expected a number such as -90 deg, pi/2 or 177.8; "
+                                "write the decimal point as . and not as ,")
+    below, above = reason.bounding_box(), a2.bounding_box()
+    assert 0 <= below["y"] - above["y"] - above["height"] < 12  # right under its cell
+    expect(editor.get_by_role("status").first).to_have_text(
+        "One cell is wrong. The arm below is the last one that could be read.")
+    assert read(editor)["paths"]["tool"] == drawn
+    assert python(editor, "editor.arm.links[1].a, editor.table.arm") == "177.8 None"
+
+    type_in(a2, "300")
+    wait_for_position(editor, [607.3, 0, 215])
+    expect(a2).to_have_attribute("aria-invalid", "false")
+    expect(reason).to_be_hidden()
+    expect(a2).to_be_focused()
+    assert read(editor)["paths"]["tool"] != drawn
+    assert_drawn(editor)
+    assert python(editor, "editor.arm.links[1].a") == "300.0"
+
+
+def test_tab_goes_through_the_cells_and_commits(table):
+    editor = table()
+    page = editor.page
+    cell(editor, 1, "θ").focus()
+    for text in ("10", "200", "50", "-80"):
+        page.keyboard.press("Control+a")
+        page.keyboard.type(text)
+        page.keyboard.press("Tab")
+    expect(editor.get_by_label("Type of joint 2")).to_be_focused()
+    page.keyboard.press("Tab")
+    expect(cell(editor, 2, "θ")).to_be_focused()
+    expect(cell(editor, 1, "α")).to_have_value("-80")
+    assert python(editor, "repr(editor).splitlines()[2].split()") == (
+        "['1', 'revolute', 'θ1*', '10', '200', '50', '-80']")
+    page.keyboard.press("ArrowDown")
+    expect(cell(editor, 3, "θ")).to_be_focused()
+    page.keyboard.type("x")
+    page.keyboard.press("Escape")
+    expect(cell(editor, 3, "θ")).to_have_value("0")
+    expect(page.locator(".jp-Notebook:visible .jp-Cell")).to_have_count(1)  # no shortcut was heard
+
+
+def test_rows_come_go_and_move(table):
+    editor = table()
+    page = editor.page
+    cell(editor, 2, "a").focus()
+    page.keyboard.press("Alt+ArrowDown")
+    expect(cell(editor, 2, "a")).to_have_value("177.8")
+    expect(cell(editor, 3, "a")).to_be_focused()
+    type_in(cell(editor, 3, "a"), "99")
+    button(editor, "+ Joint").click()
+    expect(cell(editor, 6, "θ")).to_be_focused()
+    expect(editor.locator(".kl-joints").get_by_role("slider")).to_have_count(6)
+    editor.get_by_label("Type of joint 6").select_option("prismatic")
+    expect(editor.locator(".kl-joints .widget-label").nth(5)).to_have_text("d₆ (mm)")
+    expect(editor.locator(".kl-star").nth(5)).to_contain_text("d₆*")
+    editor.get_by_role("button", name="Remove row 1").click()
+    expect(editor.get_by_label("Type of joint 6")).to_have_count(0)
+    expect(editor.locator(".kl-joints").get_by_role("slider")).to_have_count(5)
+    assert python(editor, "[link.a for link in editor.arm.links]") == "[177.8, 99.0, 0.0, 0.0, 0.0]"
+    for _ in range(5):
+        button(editor, "↶ Undo").click()
+    expect(button(editor, "↶ Undo")).to_be_disabled()
+    wait_for_position(editor, [485.1, 0, 215])
+    assert python(editor, "editor.arm.links == kl.robots.alpha_ii().links") == "True"
+
+
+def test_the_convention_is_asked_for_plainly(table):
+    editor = table()
+    convention = editor.get_by_label("Convention", exact=True)
+    convention.select_option("modified")
+    expect(convention).to_have_value("standard")
+    expect(button(editor, "Read the same numbers as modified")).to_be_focused()
+    button(editor, "Cancel").click()
+    expect(editor.get_by_role("group", name="Change of convention")).to_have_count(0)
+    convention.select_option("modified")
+    button(editor, "Convert to modified: the same arm").click()
+    expect(convention).to_have_value("modified")
+    expect(editor.get_by_label("α₁, link twist, row 2, deg")).to_have_value("-90")
+    wait_for_position(editor, [485.1, 0, 215])
+    convention.select_option("standard")
+    button(editor, "Read the same numbers as standard").click()
+    expect(convention).to_have_value("standard")
+    expect(editor.get_by_label("α₂, link twist, row 2, deg")).to_have_value("-90")
+    assert position(editor) != [485.1, 0, 215]
+
+
+def test_units_and_named_lengths(table):
+    editor = table()
+    editor.get_by_label("Angles", exact=True).select_option("rad")
+    expect(cell(editor, 1, "α")).to_have_value("-pi/2")
+    editor.get_by_label("Lengths", exact=True).select_option("m")
+    expect(cell(editor, 2, "a")).to_have_value("0.1778")
+    button(editor, "+ Named length").click()
+    name = editor.get_by_label("Name of length 1")
+    expect(name).to_be_focused()
+    type_in(name, "d2", "Tab")
+    type_in(editor.get_by_label("Length d2, m"), "0.5")
+    type_in(cell(editor, 2, "d"), "-d2")
+    expect(cell(editor, 2, "d")).to_have_attribute("title", "-d2 = -0.5")
+    assert python(editor, "editor.arm.links[1].d, editor.arm.unit") == "-0.5 m"
+
+
+def test_what_is_being_typed_is_never_touched(table):
+    editor = table()
+    a3 = cell(editor, 3, "a")
+    a3.focus()
+    a3.fill("12")
+    run_code(editor.page, "editor.set(2, 'a', '50'); editor.table = editor.table.with_row()")
+    expect(editor.get_by_label("Type of joint 6")).to_have_count(1)
+    expect(cell(editor, 2, "a")).to_have_value("50")
+    expect(a3).to_be_focused()
+    expect(a3).to_have_value("12")
+    a3.press("Enter")
+    wait_for_position(editor, [191.5, 0, 215])
+
+
+def test_the_view_stays_as_it_was_turned(table):
+    editor = table()
+    editor.locator(".kl-view").evaluate("view => { window.kept = view; }")
+    button(editor, "Ghost").click()
+    editor.locator(".kl-picture").press("ArrowLeft")
+    editor.get_by_role("slider").first.press("ArrowRight")
+    before = read(editor)
+    for _ in range(3):
+        type_in(cell(editor, 2, "a"), "300")
+        wait_for_position(editor, [607.2, 10.6, 215])
+        type_in(cell(editor, 2, "a"), "177.8")
+        wait_for_position(editor, [485.0, 8.5, 215])
+    after = read(editor)
+    for seen in (before, after):
+        del seen["paths"]["trace"]  # it begins anew with each arm
+    assert after["paths"] == before["paths"] and after["shown"] == before["shown"]
+    assert editor.evaluate("e => e.querySelector('.kl-view') === window.kept")
+    expect(button(editor, "Ghost")).to_have_attribute("aria-pressed", "true")
+    editor.get_by_role("slider").nth(1).press("ArrowRight")
+    settle(editor.page)
+    assert_turned = np.degrees(eval(python(editor, "editor.view.q.tolist()")))
+    np.testing.assert_allclose(assert_turned, [1, 1, 0, -90, 0], atol=1e-9)
+
+
+def test_no_blank_picture_between_two_arms(table):
+    """Every frame that is painted holds a whole picture of the same height."""
+    editor = table()
+    editor.evaluate("""editor => {
+        window.painted = [];
+        const look = () => {
+            const path = editor.querySelector('.kl-picture svg #tool path');
+            const box = editor.querySelector('.kl-picture')?.getBoundingClientRect();
+            painted.push([Boolean(path), Math.round(box?.height ?? 0)].join());
+            window.looking = requestAnimationFrame(look);
+        };
+        look();
+    }""")
+    for k in range(6):
+        type_in(cell(editor, 2, "a"), str(200 + k))
+        wait_for_position(editor, [307.3 + 200 + k, 0, 215])
+    seen = editor.page.evaluate(
+        "() => { cancelAnimationFrame(looking); return [...new Set(painted)]; }")
+    assert len(seen) == 1 and seen[0].startswith("true"), seen
+
+
+def test_panels_on_demand(table):
+    editor = table()
+    panel = editor.locator(".kl-panel")
+    button(editor, "Closed form").click()
+    editor.locator(".kl-panel mjx-container").first.wait_for()
+    button(editor, "Sign pattern").click()
+    expect(editor.get_by_role("table", name="Signs")).to_be_visible()
+    button(editor, "Compare with modified").click()
+    expect(panel.first).to_contain_text("Read as modified DH, these numbers are another mechanism.")
+    expect(panel.locator("img")).to_be_visible()
+    button(editor, "Compare with modified").click()
+    expect(panel.locator("img")).to_have_count(0)
+    for k in range(2):
+        expect(panel.nth(k)).to_be_hidden()
+
+
+def test_saving_and_loading(table, tmp_path):
+    editor = table()
+    button(editor, "Save, load").click()
+    area = editor.get_by_label("The table as text")
+    expect(area).to_have_value(python(editor, "editor.to_csv()") + "\n")
+    editor.get_by_label("Format").select_option("code")
+    expect(area).to_have_value(python(editor, "editor.to_code()") + "\n")
+    with editor.page.expect_download() as saved:
+        button(editor, "Download").click()
+    assert saved.value.suggested_filename == "dh_table.py"
+    saved.value.save_as(tmp_path / "saved.py")
+    area.fill("import os\nos.remove('x')")
+    button(editor, "Load this text").click()
+    expect(editor.get_by_role("status").first).to_contain_text("line 2: expected code such as")
+    area.fill("kl.Arm([kl.revolute(a=2), kl.prismatic(alpha=pi/2)])")
+    button(editor, "Load this text").click()
+    expect(editor.get_by_label("Type of joint 2")).to_have_value("prismatic")
+    editor.get_by_label("Open a file").set_input_files(tmp_path / "saved.py")
+    expect(editor.get_by_label("Type of joint 5")).to_have_value("revolute")
+    assert python(editor, "repr(editor.arm) == repr(kl.robots.alpha_ii())") == "True"
+
+
+def test_it_is_seen_whole_and_has_names_in_both_themes(table):
+    editor = table()
+    page = editor.page
+    type_in(cell(editor, 2, "a"), "x")
+    expect(cell(editor, 2, "a")).to_have_attribute("aria-invalid", "true")
+    for theme in ("JupyterLab Dark", "JupyterLab Light"):
+        set_theme(page, theme)
+        ink, paper = cell(editor, 1, "a").evaluate(
+            "e => [getComputedStyle(e).color, getComputedStyle(e).backgroundColor]")
+        light = [sum(map(int, re.findall(r"\d+", text)[:3])) / 765 for text in (ink, paper)]
+        assert abs(light[0] - light[1]) > 0.6, theme
+    nameless = editor.evaluate("""e => [...e.querySelectorAll(
+        '.kl-table :is(input, select, button)')].filter(node =>
+            !(node.ariaLabel || node.textContent.trim())).length""")
+    assert nameless == 0
+    wide = editor.locator(".kl-table").evaluate("e => e.scrollWidth <= e.clientWidth")
+    assert wide
+
+
+def test_two_views_of_one_table_agree(table):
+    one, two = table(CELL, "editor", views=2)
+    type_in(cell(one, 2, "a"), "300")
+    for place in (one, two):
+        expect(cell(place, 2, "a")).to_have_value("300")
+        wait_for_position(place, [607.3, 0, 215])
+    type_in(cell(two, 3, "α"), "90")
+    expect(cell(one, 3, "α")).to_have_value("90")
