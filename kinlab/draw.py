@@ -12,7 +12,7 @@ from matplotlib.patches import PathPatch
 from matplotlib.path import Path
 from matplotlib.patheffects import withStroke
 
-from .scene import ARROW, FACE, SOLID, TEXT, Item, Scene
+from .scene import ARROW, FACE, SOLID, TEXT, Item, Scene, camera
 
 # Okabe-Ito colours; axes are also labelled, so colour is never the only cue.
 INK, STEEL, PALE, FAINT = "#2b3138", "#7d8b99", "#dfe6ee", "#d5dae0"
@@ -45,13 +45,6 @@ STYLES = {
      for axis, colour in AXIS_COLOURS.items()}
 # Text stays text, so that it can move; the salt keeps the file the same from run to run.
 _SVG = {"svg.fonttype": "none", "svg.hashsalt": "kinlab", "path.simplify": False}
-
-
-def camera(azimuth: float, elevation: float) -> np.ndarray:
-    """Rows right, up and towards the viewer of an orthographic view, angles in degrees."""
-    a, e = np.radians([azimuth, elevation])
-    ca, sa, ce, se = np.cos(a), np.sin(a), np.cos(e), np.sin(e)
-    return np.array([[-sa, ca, 0], [-se * ca, -se * sa, ce], [ce * ca, ce * sa, se]])
 
 
 def project(scene: Scene, frames: np.ndarray, view: np.ndarray, item: Item) -> np.ndarray:

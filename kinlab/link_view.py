@@ -18,10 +18,9 @@ from . import checks
 from .arm import CONVENTIONS, Arm, _check_arm
 from .arm_scene import arm_scene, joint_range
 from .arm_view import joint_knob, one_pose
-from .draw import camera
 from .live import Knob, LiveView, decimals
 from .motions import ROTATE, Motion, X, Z
-from .scene import SPATIAL, Amount, Point, Scene, Vector, at, subscript
+from .scene import SPATIAL, Amount, Point, Scene, Vector, at, camera, subscript
 from .sketch import Sketch
 
 _AXES, _VIEW = np.eye(3), camera(*SPATIAL["3-D"])[2]

@@ -13,7 +13,7 @@ import ipywidgets
 import numpy as np
 import traitlets
 
-from . import checks, draw, page
+from . import checks, page, studio
 from .scene import Scene
 
 _HERE = Path(__file__).parent
@@ -140,6 +140,8 @@ class LiveView(ipywidgets.Box):
 
     def close(self) -> None:
         """Close the view and everything that it is made of; its memory is free again."""
+        for slider in getattr(self, "sliders", ()):  # none where a wrong argument was refused
+            slider.unobserve_all()
         for part in parts(self):
             ipywidgets.Widget.close(part)
 
@@ -196,7 +198,7 @@ class LiveView(ipywidgets.Box):
     def _still(self) -> str:
         """The picture as it stands now, with every layer, as SVG."""
         every = {item.layer for item in self._scene.items}
-        return draw.svg(draw.figure(self._scene, self._values, self._preset, tuple(every)))
+        return studio.svg(self._scene, self._values, self._preset, tuple(every))
 
     def _take(self, scene: Scene, knobs: Sequence[Knob], name: str, preset: str | None) -> None:
         """Show another scene. Sliders stay where they fit, so that nothing piles up."""
@@ -263,8 +265,8 @@ class LiveView(ipywidgets.Box):
         bundle = super()._repr_mimebundle_(**kwargs)
         if bundle is None:
             return {}
-        still = draw.figure(self._scene, self._values, self._preset, self._show)
-        bundle |= {"text/plain": repr(self), "image/png": draw.png(still)}
+        still = studio.png(self._scene, self._values, self._preset, self._show)
+        bundle |= {"text/plain": repr(self), "image/png": still}
         return bundle, {"image/png": {"alt": f"Picture of the arm. {self!r}"}}
 
     def _forget(self, _: Any) -> None:

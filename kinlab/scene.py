@@ -226,3 +226,10 @@ def at(frame: int, *points: Sequence[float]) -> tuple[Point, ...]:
 def subscript(name: str) -> str:
     """Digits lowered as in print: '12' becomes '₁₂'; the tool's E becomes 'ₑ'."""
     return name.translate(str.maketrans("0123456789E", "₀₁₂₃₄₅₆₇₈₉ₑ"))
+
+
+def camera(azimuth: float, elevation: float) -> np.ndarray:
+    """Rows right, up and towards the viewer of an orthographic view, angles in degrees."""
+    a, e = np.radians([azimuth, elevation])
+    ca, sa, ce, se = np.cos(a), np.sin(a), np.cos(e), np.sin(e)
+    return np.array([[-sa, ca, 0], [-se * ca, -se * sa, ce], [ce * ca, ce * sa, se]])

@@ -43,7 +43,7 @@ MATHEMATICS = {
     "dh_code": {"checks", "arm", "parsing", "cells", "dh_csv", "dh_table"},
     "__init__": set(),
 }
-DRAWING = ("velocity", "scene", "arm_scene", "draw", "workspace_plots")
+DRAWING = ("velocity", "scene", "arm_scene", "draw", "studio", "workspace_plots")
 VIEWS = ("live", "arm_view", "sketch", "link_view", "notebook_bar", "target_view", "jacobian_view",
          "solve_picture", "table_editor")
 WIDGETS = {"ipywidgets", "anywidget", "traitlets", "IPython"}
