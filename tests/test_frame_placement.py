@@ -134,6 +134,16 @@ def test_four_decimals_are_enough_and_the_table_is_exact():
         assert verdict.ok, verdict.message
 
 
+def test_a_slide_typed_near_a_turning_axis_sits_on_it():
+    base = m.random_pose(np.random.default_rng(2))
+    lift = kl.Arm([kl.revolute(), kl.prismatic(), kl.revolute(a=0.5)], base=base)
+    frames = [np.round(frame, 4) for frame in triples(lift, [0.3, 0.2, 0.1])]
+    found = kl.examine_frames(frames, lift, [0.3, 0.2, 0.1]).arm
+    assert [link.a for link in found.links] == pytest.approx([0, 0, 0.5], abs=1e-4)
+    assert [link.a for link in found.links[:2]] == pytest.approx([0, 0], abs=1e-9)
+    assert found.home == pytest.approx([0.3, 0.2, 0.1], abs=1e-3)
+
+
 def test_a_frame_far_down_its_axis_loosens_no_other():
     z, _, origin = GOOD[0]
     far = moved(GOOD, 0, origin=origin - 1e6 * z)
