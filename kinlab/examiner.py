@@ -7,26 +7,23 @@ from math import degrees, pi, sin
 import numpy as np
 
 from .arm import CONVENTIONS, Arm, _check_arm
-from .kinematics import forward_kinematics
 from .mechanism import (
     TOLERANCE,
     Axes,
     Fault,
     Layout,
     Match,
+    apart,
     axes_of,
     differ,
     matched,
     turned_bend,
     wrapped,
 )
+from .stance import standing_fault
 from .verdict import CORRECT, NOT_YET, Verdict
 
 _WORDS = {"alpha": "twist", "theta": "angle", "a": "length", "d": "offset"}
-
-_STANCE = "The mechanism is right, but at q = 0 it does not stand as drawn"
-_TOOL = ("The mechanism is right, but the tool frame sits elsewhere on the last link: check row {} "
-         "and the tool.")
 
 
 def same_mechanism(answer: Arm, reference: Arm, *, strict: bool = False) -> Verdict:
@@ -74,7 +71,7 @@ def same_mechanism(answer: Arm, reference: Arm, *, strict: bool = False) -> Verd
     if match.faults:
         return Verdict(NOT_YET, _refusal(answer, mine, layout, match))
     signs = _plainest(mine, theirs, match.signs)
-    stance = _stance(answer, mine, theirs, signs) if strict else ""
+    stance = standing_fault(mine, theirs, signs) if strict else ""
     return Verdict(NOT_YET, stance) if stance else Verdict(CORRECT, _praise(mine, theirs, answer,
                                                                             reference, signs))
 
@@ -122,16 +119,8 @@ def _shown(fault: Fault, expected: float | None = None) -> tuple[str, str]:
     """Both values, with as many digits as it takes to tell them apart."""
     values = fault.got, fault.expected if expected is None else expected
     if fault.parameter in ("alpha", "theta"):
-        return tuple(f"{text}°" for text in _apart(*map(degrees, values)))
-    return _apart(*values)
-
-
-def _apart(a: float, b: float) -> tuple[str, str]:
-    for digits in (6, 9, 12):
-        texts = tuple(f"{round(value, 12) + 0.0:.{digits}g}" for value in (a, b))
-        if texts[0] != texts[1]:
-            break
-    return texts
+        return tuple(f"{text}°" for text in apart(*map(degrees, values)))
+    return apart(*values)
 
 
 def _twisted(fault: Fault, answer: Arm, mine: Axes, layout: Layout, match: Match) -> str:
@@ -158,7 +147,7 @@ def _long(fault: Fault, answer: Arm, mine: Axes, layout: Layout, match: Match) -
     if abs(fault.got + fault.expected) > TOLERANCE * abs(fault.got):
         return f"{text}."
     if abs(sin(answer_twist := mine.arm.links[i].alpha)) > TOLERANCE:
-        turned = _apart(degrees(-answer_twist), degrees(answer_twist))[0]
+        turned = apart(degrees(-answer_twist), degrees(answer_twist))[0]
         return (f"{text}; or the twist alpha{i + 1} turns the wrong way and should be {turned}°: "
                 "the two must fit together.")
     return f"{text}: its sign is wrong."
@@ -187,76 +176,6 @@ def _z(answer: Arm, i: int) -> str:
     return f"z{i + (answer.convention == 'modified')}"
 
 
-# ---- The zero position and the tool --------------------------------------------------------------
-
-
-def _stance(answer: Arm, mine: Axes, theirs: Axes, signs: np.ndarray) -> str:
-    """How the answer stands other than the reference at q = 0, or "".
-
-    The tool frames are laid upon each other. The first axis out of place, seen from the tool,
-    hangs on a joint that counts from another zero: the one whose offset puts it in place.
-    """
-    out, z, points = _out_of_place(mine, theirs)
-    if not out:
-        return ""
-    k = out[-1]
-    if k == mine.n - 1:
-        return _TOOL.format(answer.n)
-    for j in range(k + 1, mine.n):
-        value = _zero(mine, j, k, signs[k] * z[k], points)
-        links = list(mine.arm.links)
-        links[j] = replace(links[j], **{links[j].variable: value})
-        if k not in _out_of_place(axes_of(replace(mine.arm, links=links)), theirs)[0]:
-            text = _apart(degrees(wrapped(value)) if mine.turns[j] else value, np.inf)[0]
-            return (f"{_STANCE}. Joint {j + 1}: {links[j].variable}{j + 1} should hold the offset "
-                    f"{text}{'°' * bool(mine.turns[j])}.")
-    last = mine.turns[k + 1] and k == mine.n - 2
-    return _TOOL.format(answer.n) if last else f"{_STANCE}: look at rows {k + 2} to {answer.n}."
-
-
-def _out_of_place(mine: Axes, theirs: Axes) -> tuple[list[int], np.ndarray, np.ndarray]:
-    """Axes that differ once the tools coincide; and where directions and points should be."""
-    G = _tool(mine) @ np.linalg.inv(_tool(theirs))
-    z, points = theirs.z @ G[:3, :3].T, _points(theirs) @ G[:3, :3].T + G[:3, 3]
-    apart = np.cross(mine.z, _points(mine) - points)
-    apart[~mine.turns] = 0  # a prismatic joint has a direction, not a place
-    reach = np.abs(mine.steps()).sum() + mine.longest
-    turned = np.linalg.norm(np.cross(mine.z, z), axis=1) > mine.n * TOLERANCE
-    moved = np.linalg.norm(apart, axis=1) > mine.n * TOLERANCE * reach
-    return np.flatnonzero(turned | moved).tolist(), z, points
-
-
-def _zero(axes: Axes, j: int, k: int, z: np.ndarray, points: np.ndarray) -> float:
-    """The offset of joint j that brings axis k towards where it should be."""
-    here = _points(axes)
-    if axes.turns[j]:
-        turn = _turn(axes.z[j], axes.z[k], z, here[k] - here[j], points[k] - here[j])
-        return axes.arm.links[j].theta - turn
-    across = axes.z[j] - axes.z[j] @ axes.z[k] * axes.z[k]
-    return axes.d[j] + (here[k] - points[k]) @ across / max(across @ across, TOLERANCE)
-
-
-def _turn(axis: np.ndarray, z: np.ndarray, wanted: np.ndarray, arm: np.ndarray,
-          wanted_arm: np.ndarray) -> float:
-    """The turn about an axis that brings a neighbouring axis to where it should be."""
-    if np.linalg.norm(np.cross(axis, z)) <= TOLERANCE:
-        z, wanted = arm, wanted_arm
-    across = np.cross(axis, z)
-    return float(np.arctan2(across @ wanted, np.cross(across, axis) @ wanted))
-
-
-def _tool(axes: Axes) -> np.ndarray:
-    """The tool at q = 0 in axes like the room's, at the origin of frame 0."""
-    T = forward_kinematics(axes.arm, np.zeros(axes.n))
-    T[:3, 3] -= axes.arm.base[:3, 3]
-    return T
-
-
-def _points(axes: Axes) -> np.ndarray:
-    """A point on each axis at q = 0, in the same frame."""
-    return np.vstack([np.zeros(3), np.cumsum(axes.steps(), axis=0)[:-1]])
-
-
 # ---- A right table -------------------------------------------------------------------------------
 
 
@@ -280,7 +199,7 @@ def _praise(mine: Axes, theirs: Axes, answer: Arm, reference: Arm, signs: np.nda
                for i in np.flatnonzero(signs < 0)]
     chosen += [f"x{i + 1} points the other way"
                for i in np.flatnonzero(_sides(mine, theirs, signs[None])[0] < 0)]
-    chosen += [f"q{i + 1} counts from a zero {_apart(abs(degrees(gap)), np.inf)[0]}° away"
+    chosen += [f"q{i + 1} counts from a zero {apart(abs(degrees(gap)), np.inf)[0]}° away"
                for i, gap in enumerate(_zero_gaps(mine, theirs, signs[None])[0])
                if abs(gap) > TOLERANCE]
     chosen += [f"the origin on {_z(answer, i)} slid along it" for i in range(1, mine.n - 1)

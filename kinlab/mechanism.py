@@ -219,6 +219,15 @@ class Fault(NamedTuple):
     expected: float
 
 
+def apart(a: float, b: float) -> tuple[str, str]:
+    """Two values as texts, with as many digits as it takes to tell them apart."""
+    for digits in (6, 9, 12):
+        texts = tuple(f"{round(value, 12) + 0.0:.{digits}g}" for value in (a, b))
+        if texts[0] != texts[1]:
+            break
+    return texts
+
+
 class Match(NamedTuple):
     """The best way to lay the answer's axes upon the reference's.
 

@@ -161,6 +161,21 @@ def test_the_strict_mode_asks_for_the_tool():
         refused(other, ALPHA_II, "the tool frame sits elsewhere on the last link", strict=True)
 
 
+def test_the_strict_mode_names_a_length_whose_sign_is_wrong():
+    """Without it the mechanism is the same, but only with other zeros of several joints."""
+    wrong = row(SIX_LINK, 2, d=0.5)
+    accepted(wrong, SIX_LINK)
+    refused(wrong, SIX_LINK, "The offset d2 should be -0.5: its sign is wrong.", strict=True)
+
+
+def test_the_strict_mode_names_offsets_one_after_the_other():
+    wrong = row(row(ALPHA_II, 2, theta=1), 4, theta=2)
+    message = refused(wrong, ALPHA_II, "Joint 4: theta4 should hold the offset 0°.", strict=True)
+    refused(row(wrong, 4, theta=0), ALPHA_II, "Joint 2: theta2 should hold the offset 0°.",
+            strict=True)
+    assert "theta2" not in message
+
+
 def test_the_strict_mode_leaves_base_and_signs_free():
     accepted(replace(ALPHA_II, base=kl.translation([1, 2, 3])), ALPHA_II, strict=True)
     flipped = row(row(row(STANFORD, 1, alpha=RIGHT), 2, alpha=-RIGHT, d=-0.15), 3, d=0)
