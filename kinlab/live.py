@@ -121,6 +121,8 @@ class LiveView(ipywidgets.Box):
     A view is indexed by the names of its knobs: ``view["theta"].value = 30``.
     """
 
+    ALT = "Picture of the arm."  # how the words for the picture begin
+
     def __init__(self, scene: Scene, knobs: Sequence[Knob], *, name: str = "",
                  panels: dict | None = None, below: Sequence[ipywidgets.Widget] = (),
                  preset: str | None = None, show: Sequence[str] = ()) -> None:
@@ -267,7 +269,7 @@ class LiveView(ipywidgets.Box):
             return {}
         still = studio.png(self._scene, self._values, self._preset, self._show)
         bundle |= {"text/plain": repr(self), "image/png": still}
-        return bundle, {"image/png": {"alt": f"Picture of the arm. {self!r}"}}
+        return bundle, {"image/png": {"alt": f"{self.ALT} {self!r}"}}
 
     def _forget(self, _: Any) -> None:
         """A knob has moved: what was remarked about the setting before no longer holds."""

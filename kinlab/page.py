@@ -35,8 +35,18 @@ two fingers zoom. Made with kinlab; this page needs no network.</p>
 </body>
 </html>
 """
-_BRACKETS = re.compile(r"<mo[^>]*>(?:\[|&#x0005B;)</mo><mtable>(.*?)</mtable>"
-                       r"<mo[^>]*>(?:\]|&#x0005D;)</mo>", re.DOTALL)
+# Space about sin and cos, and none between a sign and what it belongs to.
+_OPERAND, _FUNCTION = r"(</(?:mi|mn|msub|msup|msubsup|mrow)>)", "((?:<msup>)?<mi>(?:sin|cos)</mi>)"
+_TYPOGRAPHY = (
+    (_OPERAND + _FUNCTION, r'\1<mspace width="0.17em"/>\2'),
+    (_FUNCTION + "(<mi>|<mn>|<msub>|<msubsup>)", r'\1<mspace width="0.17em"/>\2'),
+    (r"(<mo[^>]*>(?!\)|\]|&#x00029;|&#x0005D;|&#x02026;|&#x022EF;)[^<]*</mo>)"
+     "<mo>(&#x02212;|&#x0002B;)</mo>", r'\1<mo form="prefix">\2</mo>'),
+    (r"<mo[^>]*>(\||&#x0007C;)</mo>", r'<mo lspace="0" rspace="0">\1</mo>'),
+    # Few phones have a font with tall brackets: page.css draws those of matrices.
+    (r"<mo[^>]*>(?:\[|&#x0005B;)</mo><mtable>(.*?)</mtable><mo[^>]*>(?:\]|&#x0005D;)</mo>",
+     r'<mtable class="kl-matrix">\1</mtable>'),
+)
 
 
 def script(host: str) -> str:
@@ -52,8 +62,10 @@ def classic_script() -> str:
 
 
 def style() -> str:
-    """The style sheet of a plain page."""
-    return "".join((_HERE / f"{name}.css").read_text(encoding="utf-8") for name in ("live", "page"))
+    """The style sheet of a plain page; the pictures' dark inks are those of dark JupyterLab."""
+    live, own = ((_HERE / f"{name}.css").read_text(encoding="utf-8") for name in ("live", "page"))
+    dark = re.search(r"\[data-jp-theme-light=\"false\"] (\.kl-view \{.*?\n\})", live, re.DOTALL)[1]
+    return f"{live}{own}\n@media screen and (prefers-color-scheme: dark) {{\n{dark}\n}}\n"
 
 
 def part(svg: str, data: dict, text: str, below: Iterable[str] = (), *,
@@ -86,8 +98,11 @@ def mathematics(latex: str, *, display: bool = False) -> str:
     """
     from latex2mathml.converter import convert
 
+    latex = latex.replace("{aligned}", "{align*}")  # the same, and known to the converter
     mathml = convert(latex, display="block" if display else "inline")
-    return _BRACKETS.sub(r'<mtable class="kl-matrix">\1</mtable>', mathml)
+    for pattern, better in _TYPOGRAPHY:
+        mathml = re.sub(pattern, better, mathml, flags=re.DOTALL)
+    return mathml
 
 
 def typeset(text: str) -> str:

@@ -1,6 +1,16 @@
+import pytest
 from hypothesis import settings
 
 # The same examples on every run; `--hypothesis-profile=explore` looks for new ones.
 settings.register_profile("steady", max_examples=60, deadline=None, derandomize=True)
 settings.register_profile("explore", max_examples=1000, deadline=None)
 settings.load_profile("steady")
+
+
+@pytest.fixture(scope="session")
+def course_site(tmp_path_factory):
+    """The folder of the whole site, built once for all tests; it takes about 15 seconds."""
+    from kinlab import site
+    folder = tmp_path_factory.mktemp("site") / "new" / "course"
+    site.build(folder)
+    return folder

@@ -46,7 +46,7 @@ MATHEMATICS = {
 }
 DRAWING = ("velocity", "scene", "arm_scene", "draw", "studio", "workspace_plots")
 VIEWS = ("live", "arm_view", "sketch", "link_view", "notebook_bar", "target_view", "jacobian_view",
-         "solve_picture", "table_editor")
+         "solve_picture", "table_editor", "site")
 WIDGETS = {"ipywidgets", "anywidget", "traitlets", "IPython"}
 
 

@@ -1,12 +1,12 @@
 """Pages that `save_html` writes: whole, small, safe, and with the state of the view."""
 import json
 import re
-from html.parser import HTMLParser
 from pathlib import Path
 
 import ipywidgets
 import numpy as np
 import pytest
+from markup import Reader
 
 import kinlab as kl
 from kinlab import page
@@ -40,39 +40,13 @@ VIEWS = {robot.__name__: lambda robot=robot: kl.ArmView(
     "both conventions": lambda: LESSONS.n_link.both_conventions(kl.robots.two_link(), 1, 2),
     "zyz": LESSONS.n_link.zyz_view,
     "yaw": LESSONS.intelledex.yaw_view,
+    "ring": LESSONS.workspace.ring_view,
+    "limits": LESSONS.workspace.limits_view,
+    "target": lambda: kl.TargetView(kl.robots.alpha_ii()),
+    "velocity": lambda: kl.velocity_view(kl.robots.intelledex_660t()),
+    "solve": lambda: kl.solve_view(kl.robots.two_link(), [0.5, 0.5, 0],
+                                   weights=[1, 1, 0]),
 }
-LOADS = {"src", "srcset", "href", "xlink:href", "action", "data", "poster"}
-VOID = {"meta", "input", "br", "img", "link", "hr"}
-
-
-class Reader(HTMLParser):
-    """Checks that tags are closed in order, and keeps what a page would load and its scripts."""
-
-    def __init__(self, text):
-        super().__init__(convert_charrefs=True)
-        self.open, self.tags, self.loads, self.scripts, self.words = [], [], [], [], []
-        self.feed(text)
-        self.close()
-        assert self.open == []
-
-    def handle_starttag(self, tag, attributes):
-        self.tags.append(tag)
-        self.loads += [value for name, value in attributes
-                       if name in LOADS and not value.startswith("#")]
-        if tag not in VOID:
-            self.open.append(tag)
-
-    def handle_startendtag(self, tag, attributes):
-        self.handle_starttag(tag, attributes)
-        if tag not in VOID:
-            self.open.pop()
-
-    def handle_endtag(self, tag):
-        assert self.open.pop() == tag
-
-    def handle_data(self, data):
-        (self.scripts if self.open and self.open[-1] == "script" else self.words).append(data)
-
 
 def write(view, folder):
     return view.save_html(folder / "arm.html").read_text(encoding="utf-8")

@@ -269,3 +269,19 @@ def test_play_and_presets_work_as_in_the_notebook(visit):
     expect(field_of(view, 3)).to_have_value("0.0")
     page.evaluate(SETTLE)
     assert_picture(view.evaluate(READ), ALPHA, np.zeros(5), (-90, 90, 1))
+
+
+def test_an_arm_follows_a_target_under_a_finger(visit, folder):
+    kl.TargetView(kl.robots.two_link(), [0.3, 0.9]).save_html(folder / "target.html")
+    page, view = visit("target", width=390, height=844, has_touch=True)
+    wire = page.context.new_cdp_session(page)
+    box = view.locator(".kl-picture svg").bounding_box()
+    middle, scale = (box["x"] + box["width"] / 2, box["y"] + box["height"] / 2), box["width"] / 580
+    for kind, points in (("Start", [(40, -60)]), ("Move", [(60, -70)]), ("End", [])):
+        wire.send("Input.dispatchTouchEvent", {"type": f"touch{kind}", "touchPoints": [
+            {"x": middle[0] + scale * x, "y": middle[1] + scale * y} for x, y in points]})
+    expect(view.locator(".kl-readings")).to_contain_text("p* − p| = 0.000 m")
+    theta_1, theta_2, x, y = fields(view)
+    tool = kl.forward_kinematics(kl.robots.two_link(), np.radians([theta_1, theta_2]))[:2, 3]
+    np.testing.assert_allclose(tool, [x, y], atol=0.06)  # the fields are rounded
+    assert abs(x) > 0.1 and page.evaluate("document.documentElement.scrollWidth") == 390

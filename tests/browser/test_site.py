@@ -1,0 +1,149 @@
+"""The site in a real browser, from the disk and with the network off: it moves and is readable."""
+import numpy as np
+import pytest
+from playwright.sync_api import expect
+from reading import SETTLE, assert_picture, assert_table, from_units, read
+
+import kinlab as kl
+from kinlab.notebooks import FOLDER
+
+LESSONS = sorted(path.stem for path in FOLDER.glob("*.ipynb"))
+HOME = (-60, 24, 1)
+PATHS = """view => [...view.querySelectorAll('.kl-picture path')]
+    .map(path => path.getAttribute('d')).join()"""
+
+
+@pytest.fixture
+def visit(browser, course_site, watched):
+    """A function that opens a page of the site; any request beyond the folder fails the test."""
+    contexts, beyond = [], []
+
+    def guard(route):
+        if route.request.url.startswith(course_site.as_uri()):
+            return route.continue_()
+        beyond.append(route.request.url)
+        route.abort()
+
+    def visit(name, width=1280, height=800, **options):
+        context = browser.new_context(offline=True, viewport={"width": width, "height": height},
+                                      **options)
+        contexts.append(context)
+        context.route("**/*", guard)
+        page = watched(context.new_page())
+        page.goto((course_site / f"{name}.html").as_uri())
+        return page
+
+    yield visit
+    for context in contexts:
+        context.close()
+    assert beyond == []
+
+
+def move_each(page):
+    """Press an arrow key on the first slider of each view; how many pictures answer."""
+    answered = 0
+    for view in page.locator(".kl-view").all():
+        before = view.evaluate(PATHS)
+        view.locator("input[type=range]").first.press("PageUp")
+        page.evaluate(SETTLE)
+        answered += view.evaluate(PATHS) != before
+    return answered
+
+
+def assert_fits_phones(page):
+    for width in (390, 360):
+        page.set_viewport_size({"width": width, "height": 844})
+        assert page.evaluate("document.documentElement.scrollWidth") == width
+
+
+@pytest.mark.parametrize("name", LESSONS)
+def test_a_lessons_views_move_its_formulas_are_drawn_and_it_fits_phones(visit, name):
+    page = visit(name)
+    views = page.locator(".kl-view").count()
+    assert views and move_each(page) == views
+    sizes = page.evaluate("""() => [...document.querySelectorAll('main math')]
+        .filter(m => m.checkVisibility()).map(m => m.getBoundingClientRect())
+        .map(box => Math.min(box.width, box.height))""")
+    assert len(sizes) > 10 and min(sizes) > 2
+    assert_fits_phones(page)
+
+
+def test_the_map_fits_phones(visit):
+    assert_fits_phones(visit("index"))
+
+
+def test_numbers_of_a_lesson_follow_its_arm(visit):
+    page = visit("07_alpha_ii")
+    view, robot = page.locator(".kl-view").first, kl.robots.alpha_ii
+    assert_picture(read(view), robot, robot().home, HOME)
+    for field, value in zip(view.locator("input[type=number]").all(), [30, 40, -20, -60, 10]):
+        field.fill(str(value))
+        field.press("Enter")
+    seen, q = read(view), from_units(robot, [30, 40, -20, -60, 10])
+    assert_picture(seen, robot, q, HOME)
+    assert_table(seen, robot, q, 1)
+    other = read(page.locator(".kl-view").nth(1))
+    assert_picture(other, robot, robot().home, HOME)  # views of one page are apart
+    assert page.evaluate("location.hash") == ""
+
+
+def test_a_reader_walks_through_the_course(visit):
+    page, seen = visit("index"), []
+    while page.locator("a[rel=next]").count():
+        page.locator("a[rel=next]").first.click()
+        page.wait_for_load_state()
+        seen.append(page.url.rpartition("/")[2].removesuffix(".html"))
+        assert len(seen) <= len(LESSONS)
+    assert seen == LESSONS
+    page.get_by_role("link", name="Course map").first.click()
+    expect(page).to_have_title("Course map")
+    page.get_by_role("link", name="02 Rotation").click()
+    expect(page.locator("h1")).to_contain_text("A frame turns.")
+    page.locator("h2").nth(1).hover()
+    page.locator("h2").nth(1).get_by_role("link", name="This section").click()
+    assert page.evaluate("document.querySelector(':target').tagName") == "H2"
+
+
+def test_an_exercise_shows_its_task_and_where_it_is_checked(visit):
+    page = visit("01_translation")
+    heading = page.get_by_role("heading", name="Exercise 1", exact=False)
+    expect(heading).to_be_visible()
+    note = page.get_by_text("Checking needs JupyterLab: open notebooks/01_translation.ipynb")
+    assert note.count() == 3
+
+
+@pytest.mark.parametrize("scheme, ink", [("light", (43, 49, 56)), ("dark", (227, 231, 234))])
+def test_text_and_code_are_readable_in_both_schemes(visit, scheme, ink):
+    page = visit("07_alpha_ii", color_scheme=scheme)
+    contrasts = page.evaluate("""() => {
+        const light = (colour) => {
+            const [r, g, b] = colour.match(/[\\d.]+/g).map(Number).map(v => v / 255)
+                .map(v => v <= 0.04 ? v / 12.92 : ((v + 0.055) / 1.055) ** 2.4);
+            return 0.2126 * r + 0.7152 * g + 0.0722 * b;
+        };
+        const paper = (node) => {
+            for (let at = node; at; at = at.parentElement) {
+                const { backgroundColor } = getComputedStyle(at);
+                if (!/, 0\\)$|0\\.\\d+\\)$/.test(backgroundColor)) return backgroundColor;
+            }
+        };
+        return [...document.querySelectorAll('main :is(p, li, h2, td, pre span, a, math, button)')]
+            .filter(node => node.checkVisibility() && node.textContent.trim())
+            .map(node => {
+                const pair = [getComputedStyle(node).color, paper(node)].map(light);
+                return (Math.max(...pair) + 0.05) / (Math.min(...pair) + 0.05);
+            });
+    }""")
+    assert min(contrasts) > 4
+    colour = page.locator("main p").first.evaluate("p => getComputedStyle(p).color")
+    assert colour == "rgb({}, {}, {})".format(*ink)
+
+
+def test_a_lesson_prints_with_its_pictures_and_without_its_buttons(visit):
+    page = visit("01_translation", color_scheme="dark")
+    page.emulate_media(media="print", color_scheme="dark")
+    assert not page.locator("nav").first.is_visible()
+    assert not page.locator(".kl-toolbar").first.is_visible()
+    assert page.locator(".kl-picture svg").first.is_visible()
+    assert np.all(np.array(page.locator("body").evaluate(
+        "b => getComputedStyle(b).color.match(/\\d+/g).map(Number)")) < 80)
