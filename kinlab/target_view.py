@@ -152,11 +152,12 @@ def _scene(arm: Arm, axes: int) -> Scene:
     items = (Item("miss", LINE, "miss", (*at(tip, (0, 0, 0)), *at(ring, (0, 0, 0))), 9998,
                   lift=4 * size), *_ring(ring, size))
     presets = dict(PLANAR if axes == 2 else SPATIAL)
-    reading = Reading("target", "target p* = {}   tool p = {}",
-                      tuple(Vector((0, 0.0, 0.0, 0.0), (frame, 0.0, 0.0, 0.0), size=axes)
-                            for frame in (ring, tip)))
+    readings = tuple(
+        Reading(name, f"{name} {letter} = {{}} {arm.unit}",
+                (Vector((0, 0.0, 0.0, 0.0), (frame, 0.0, 0.0, 0.0), size=axes),))
+        for name, letter, frame in (("target", "p*", ring), ("tool", "p", tip)))
     return replace(scene, motions=(*scene.motions, *steps), items=(*scene.items, *items),
-                   presets=presets, readings=(reading,))
+                   presets=presets, readings=readings)
 
 
 def _ring(frame: int, size: float) -> list[Item]:
