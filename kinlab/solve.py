@@ -118,8 +118,10 @@ class Solve:
 
     def _nearest(self, k: int) -> str:
         position, rotation = self.misses[:, k]
-        return (f"the nearest pose found misses it by {position:.3g} {self.task.arm.unit} "
-                f"and {degrees(rotation):.3g} degrees")
+        misses = (f"{position:.3g} {self.task.arm.unit}", f"{degrees(rotation):.3g} degrees")
+        counted = np.any(np.reshape(self.task.weights, (2, 3)) > 0, axis=1)
+        return ("the nearest pose found misses it by "
+                + " and ".join(miss for miss, counts in zip(misses, counted) if counts))
 
     def _hint(self) -> str:
         if self.task.arm.n >= np.count_nonzero(self.task.weights):

@@ -396,3 +396,10 @@ def test_an_absurdly_far_target():
     for robot in COURSE:
         result = kl.inverse_kinematics(robot(), [1e99, -1e99, 1e50], restarts=2)
         assert not result.success and np.isfinite(result.q).all()
+
+
+def test_a_miss_is_told_in_the_directions_that_count():
+    far = kl.inverse_kinematics(kl.robots.alpha_ii(), [500, 0, 300]).message
+    assert far.endswith("misses it by 22.1 mm")
+    pose = kl.homogeneous(kl.rotation_x(np.radians(160)), [300, 0, 80])
+    assert " mm and 20 degrees" in kl.inverse_kinematics(kl.robots.alpha_ii(), pose).message
