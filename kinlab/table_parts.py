@@ -37,8 +37,9 @@ def state(table: DHTable) -> dict:
 def _cell(table: DHTable, i: int, row: Row, column: str) -> dict:
     text, place = getattr(row, column), Place(i, column)
     value, angle = table.values.get(place), row.is_angle(column)
+    said = is_plain(text) and not (angle and table.angles == "rad" and value)
     reads = ""
-    if place not in table.errors and text and not is_plain(text):
+    if value is not None and text and not said:
         reads = f"{float(angle_text(value, 'deg')):.5g}°" if angle else f"{value:.5g}"
     return {"text": text, "error": table.errors.get(place, ""), "reads": reads,
             "unit": table.angles if angle else table.unit}

@@ -1,6 +1,7 @@
 """DH tables as typed. KINLAB_EDITS sets how many random edits are made."""
 import math
 import os
+import re
 from dataclasses import replace
 
 import numpy as np
@@ -140,6 +141,14 @@ def test_the_code_is_what_python_runs(robot):
     assert same_arm(space["arm"], robot())
 
 
+@given(arms())
+def test_files_bring_base_and_tool_back(arm):
+    table = DHTable.of(arm)
+    if not table.errors:
+        assert from_csv(to_csv(table)) == table
+        assert same_arm(from_code(to_code(table)).arm, arm, 1e-14)
+
+
 def test_named_lengths_are_named_in_the_code():
     table = DHTable((Row(a="-l1", d="2*d2^2"),), lengths=(("l1", "0.5"), ("d2", "1/4")))
     code = to_code(table)
@@ -196,6 +205,8 @@ def test_a_joint_of_another_type_loses_limits_of_another_unit():
     (("with_cell", [1, "d", ""]), Place(1, "d"), "the cell is empty"),
     (("with_cell", [1, "low", "3"]), Place(1, "high"), "both limits, or neither"),
     (("with_cell", [3, "low", "2"]), Place(3, "high"), "above the lower"),
+    (("with_cell", [3, "low", "1"]), Place(3, "high"), "above the lower"),
+    (("with_cell", [3, "low", "1 - 1e-8"]), Place(3, "high"), "above the lower"),
     (("with_length", [1, "l1", "3"]), Place(2, "length"), "'l1' is there twice"),
     (("with_length", [1, "pi", "3"]), Place(1, "length"), "cannot be a length's name"),
     (("with_length", [1, "d2", "l1"]), Place(1, "length"), "'l1' is not known"),
@@ -265,7 +276,10 @@ def test_units_are_changed_there_and_back(table):
 @given(tables())
 def test_code_brings_any_arm_back(table):
     if table.arm is not None:
-        assert same_arm(from_code(to_code(table)).arm, table.arm, 1e-14)
+        code, space = to_code(table), {}
+        assert same_arm(from_code(code).arm, table.arm, 1e-14)
+        exec(code, space)  # only what parse_number reads stands in it
+        assert same_arm(space["arm"], table.arm, 1e-14)
 
 
 # ---- files ----
@@ -331,6 +345,7 @@ NO_ARM = ["", "x", "1", "(((", "a = [a]\nkl.Arm(a)", "-" * 9000 + "1", "\ud800",
 def test_what_is_no_arm_in_code_is_refused(text):
     with pytest.raises(ValueError) as caught:
         from_code(text)
+    assert re.match(r"(text|convention|tool|home): .*(expected|line \d)", str(caught.value))
     assert len(str(caught.value).splitlines()) == 1, caught.value
 
 

@@ -88,6 +88,15 @@ def test_angles_may_be_in_radians():
     assert editor.arm.links[0].alpha == 0.5
 
 
+@pytest.mark.parametrize("angles, text, reads", [
+    ("deg", "90", ""), ("deg", "pi/2", "90°"), ("deg", "2*45", "90°"), ("rad", "90", "5156.6°"),
+    ("rad", "0", ""), ("rad", "-pi/4", "-45°"), ("deg", "x", "")])
+def test_what_a_cell_says_stands_beside_it(angles, text, reads):
+    editor = kl.DHTableEditor(angles=angles)
+    editor.set(1, "alpha", text)
+    assert editor._grid.state["rows"][0]["cells"]["alpha"]["reads"] == reads
+
+
 @pytest.mark.parametrize("make, message", [
     (lambda: kl.DHTableEditor(3), "arm: expected a kinlab Arm, got 3"),
     (lambda: kl.DHTableEditor(angles="grad"), "angles: expected 'deg' or 'rad', got 'grad'"),
@@ -158,9 +167,9 @@ def test_an_edit_while_a_cell_is_wrong_loses_no_joint_value(editor):
     q = np.radians([10, -20, 30.3, -40, 50])
     editor.view.q = q
     editor.set(2, "a", "x")
-    tell(editor, "without_row", 5)
-    editor.set(2, "a", "100")
-    np.testing.assert_allclose(editor.view.q, q[:4])
+    tell(editor, "without_row", 1)
+    editor.set(1, "a", "100")
+    np.testing.assert_allclose(editor.view.q, q[1:])
 
 
 def test_widgets_do_not_pile_up(editor):
