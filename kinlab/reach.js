@@ -2,7 +2,7 @@
 // in kinlab/descent.py, for the tool point alone; a student's own targets go to kinlab's
 // inverse_kinematics, which explains itself.
 
-const STEPS = 60, CLOSE = 1e-7;                    // of the picture's radius
+const STEPS = 60, CLOSE = 1e-7, IDLE = 1e-12;      // lengths as parts of the picture's radius
 const FULL_TURN = 2 * Math.PI - 1e-9;
 
 /** Solve the 3 x 3 system (Σ c cᵀ + damping) x = e by Cramer's rule. */
@@ -58,7 +58,9 @@ export function reach(scene, q, goal) {
       .map((column, i) => column.map((v) => v * sizes[i] / radius));
     for (let round = 0; ; round++) {
       const y = damped(columns, from.e, mu * (from.cost + 1e-9));
-      const ahead = from.q.map((value, i) => i < n ? value + dot(columns[i], y) * sizes[i] : value);
+      const moves = columns.map((column, i) => dot(column, y) * sizes[i]);
+      // A joint that does not move the tool stays where it is, rounding aside.
+      const ahead = from.q.map((value, i) => Math.abs(moves[i]) > IDLE * sizes[i] ? value + moves[i] : value);
       const held = joints.map((joint, i) => kept(ahead[i], joint));
       // A joint that stands at its limit and would go on leaves the work to the others.
       const stuck = joints.flatMap((joint, i) =>

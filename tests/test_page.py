@@ -6,47 +6,12 @@ from pathlib import Path
 import ipywidgets
 import numpy as np
 import pytest
+from lesson_views import VIEWS
 from markup import Reader
 
 import kinlab as kl
 from kinlab import page
 
-LESSONS = kl.lessons
-ARMS = [kl.robots.two_link, kl.robots.practical_six_link, kl.robots.cylindrical,
-        kl.robots.exam_2018, kl.robots.alpha_ii, kl.robots.intelledex_660t]
-EXAM = [-0.35, -0.6, 0.4]
-VIEWS = {robot.__name__: lambda robot=robot: kl.ArmView(
-    robot(), closed_form=True, show=("frames", "labels", "axes")) for robot in ARMS} | {
-    "reach": LESSONS.start_here.reach_view,
-    "sliding": LESSONS.translation.sliding_view,
-    "riding": LESSONS.translation.riding_view,
-    "two slides": LESSONS.translation.chain_view,
-    "axes": LESSONS.rotation.axes_view,
-    "turning": LESSONS.rotation.riding_view,
-    "still": LESSONS.rotation.still_view,
-    "about x": lambda: LESSONS.rotation.spatial_view("x"),
-    "combined": LESSONS.homogeneous.combined,
-    "chain": lambda: LESSONS.homogeneous.chain(3),
-    "seen back": LESSONS.homogeneous.seen_back,
-    "order": LESSONS.homogeneous.order,
-    "fixed": LESSONS.homogeneous.fixed,
-    "spatial": LESSONS.homogeneous.spatial,
-    "both methods": LESSONS.two_link.both_methods,
-    "n links": lambda: LESSONS.two_link.n_links(4),
-    "parameters": lambda: LESSONS.dh_recipe.parameters_view(kl.robots.exam_2018(), 2, EXAM),
-    "motions": lambda: LESSONS.dh_recipe.motions_view(kl.robots.exam_2018(), 2, EXAM),
-    "rules": LESSONS.dh_recipe.rules_view,
-    "misread": lambda: LESSONS.n_link.misread(kl.robots.practical_six_link()),
-    "both conventions": lambda: LESSONS.n_link.both_conventions(kl.robots.two_link(), 1, 2),
-    "zyz": LESSONS.n_link.zyz_view,
-    "yaw": LESSONS.intelledex.yaw_view,
-    "ring": LESSONS.workspace.ring_view,
-    "limits": LESSONS.workspace.limits_view,
-    "target": lambda: kl.TargetView(kl.robots.alpha_ii()),
-    "velocity": lambda: kl.velocity_view(kl.robots.intelledex_660t()),
-    "solve": lambda: kl.solve_view(kl.robots.two_link(), [0.5, 0.5, 0],
-                                   weights=[1, 1, 0]),
-}
 
 def write(view, folder):
     return view.save_html(folder / "arm.html").read_text(encoding="utf-8")
@@ -133,7 +98,7 @@ def test_the_script_is_a_classic_one():
 
 
 def test_widgets_beside_the_view_come_along_or_say_that_they_cannot():
-    made = LESSONS.rotation.axes_view()
+    made = kl.lessons.rotation.axes_view()
     below = [ipywidgets.HTML("<b>bold</b>"), ipywidgets.HTMLMath("of $x_1$"),
              ipywidgets.Dropdown(options=["a"])]
     made.children = (*made.children, *below)

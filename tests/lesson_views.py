@@ -1,0 +1,39 @@
+"""A view of every kind that the lessons show, by a short name."""
+import kinlab as kl
+
+LESSONS = kl.lessons
+ARMS = [kl.robots.two_link, kl.robots.practical_six_link, kl.robots.cylindrical,
+        kl.robots.exam_2018, kl.robots.alpha_ii, kl.robots.intelledex_660t]
+EXAM = [-0.35, -0.6, 0.4]
+VIEWS = {robot.__name__: lambda robot=robot: kl.ArmView(
+    robot(), closed_form=True, show=("frames", "labels", "axes")) for robot in ARMS} | {
+    "reach": LESSONS.start_here.reach_view,
+    "sliding": LESSONS.translation.sliding_view,
+    "riding": LESSONS.translation.riding_view,
+    "two slides": LESSONS.translation.chain_view,
+    "axes": LESSONS.rotation.axes_view,
+    "turning": LESSONS.rotation.riding_view,
+    "still": LESSONS.rotation.still_view,
+    "about x": lambda: LESSONS.rotation.spatial_view("x"),
+    "combined": LESSONS.homogeneous.combined,
+    "chain": lambda: LESSONS.homogeneous.chain(3),
+    "seen back": LESSONS.homogeneous.seen_back,
+    "order": LESSONS.homogeneous.order,
+    "fixed": LESSONS.homogeneous.fixed,
+    "spatial": LESSONS.homogeneous.spatial,
+    "both methods": LESSONS.two_link.both_methods,
+    "n links": lambda: LESSONS.two_link.n_links(4),
+    "parameters": lambda: LESSONS.dh_recipe.parameters_view(kl.robots.exam_2018(), 2, EXAM),
+    "motions": lambda: LESSONS.dh_recipe.motions_view(kl.robots.exam_2018(), 2, EXAM),
+    "rules": LESSONS.dh_recipe.rules_view,
+    "misread": lambda: LESSONS.n_link.misread(kl.robots.practical_six_link()),
+    "both conventions": lambda: LESSONS.n_link.both_conventions(kl.robots.two_link(), 1, 2),
+    "zyz": LESSONS.n_link.zyz_view,
+    "yaw": LESSONS.intelledex.yaw_view,
+    "ring": LESSONS.workspace.ring_view,
+    "limits": LESSONS.workspace.limits_view,
+    "target": lambda: kl.TargetView(kl.robots.alpha_ii()),
+    "velocity": lambda: kl.velocity_view(kl.robots.intelledex_660t()),
+    "solve": lambda: kl.solve_view(kl.robots.two_link(), [0.5, 0.5, 0],
+                                   weights=[1, 1, 0]),
+}
