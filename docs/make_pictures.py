@@ -1,4 +1,7 @@
-"""Film the Alpha II view in a real JupyterLab: makes docs/alpha_ii.gif, the README's picture.
+"""Make the README's pictures.
+
+docs/alpha_ii.gif films the Alpha II view in a real JupyterLab. The others show saved pages: one
+solve by two methods, and an arm on a telephone.
 
 Run with: python docs/make_pictures.py (needs the `test` extra and Chromium).
 """
@@ -12,6 +15,9 @@ from pathlib import Path
 import nbformat
 import numpy as np
 from PIL import Image
+from playwright.sync_api import Page
+
+import kinlab as kl
 
 ROOT = Path(__file__).parents[1]
 sys.path.insert(0, str(ROOT / "tests" / "browser"))
@@ -26,6 +32,30 @@ CELL = "import kinlab as kl\nview = kl.ArmView(kl.robots.alpha_ii(), closed_form
 
 
 def main() -> None:
+    with tempfile.TemporaryDirectory() as folder:
+        with open_browser() as browser:
+            solve(browser.new_page(viewport={"width": 900, "height": 760}), Path(folder))
+            phone(browser.new_page(viewport={"width": 390, "height": 844}, has_touch=True,
+                                   device_scale_factor=1.5), Path(folder))
+    film()
+
+
+def solve(page: Page, folder: Path) -> None:
+    """Newton's method and the damped one, on the way from an almost stretched arm."""
+    view = kl.solve_view(kl.robots.two_link(), [0.5, 1, 0], q0=[0.2, 0.1])
+    view["step"].value = 5
+    page.goto(view.save_html(folder / "solve.html").as_uri())
+    page.locator(".kl-view").screenshot(path=ROOT / "docs" / "solve.png")
+
+
+def phone(page: Page, folder: Path) -> None:
+    """One file, one arm, on a telephone."""
+    view = kl.ArmView(kl.robots.intelledex_660t(), q=np.radians([110, -70, 60, 20, 60, 0]))
+    page.goto(view.save_html(folder / "arm.html").as_uri())
+    page.screenshot(path=ROOT / "docs" / "phone.png")
+
+
+def film() -> None:
     with tempfile.TemporaryDirectory() as folder:
         notebook = nbformat.v4.new_notebook(
             cells=[nbformat.v4.new_code_cell(CELL)],
