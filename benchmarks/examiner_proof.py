@@ -6,8 +6,9 @@ examiner: by what the change does to the tool at forty random poses, less what b
 joint offsets can do as well.
 
 Columns: *named*, the message names the joint that was changed; *mends*, it names another one whose
-change also makes the table right; *below*, the number counts only by the square of its change, and
-the arm moves less differently than the tolerance, so that either verdict is right.
+change also makes the table right; *below*, the number hardly counts (by the square of its change,
+or by a lever of micrometres) and the arm moves less differently than the tolerance, so that either
+verdict is right.
 """
 from __future__ import annotations
 

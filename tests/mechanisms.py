@@ -126,14 +126,16 @@ def alters(arm, index, parameter, change, rng):
     """Whether a change of one number of the table changes how the arm moves.
 
     None where it does so by less than the tolerance: a number at an extremum, such as the angle
-    of a prismatic joint between parallel links, counts only by the square of its change.
+    of a prismatic joint between parallel links, counts only by the square of its change, and one
+    with a lever of micrometres hardly counts. Rounding alone leaves slopes below 1e-8.
     """
-    if slope(arm, index, parameter, rng) > 1e-5:
+    before = slope(arm, index, parameter, rng)
+    if before > 1e-5:
         return True
     after = slope(changed(arm, index, parameter, change), index, parameter, rng)
-    if after > 1e-5 and after * abs(change) / 2 < 1e-6:
-        return None
-    return after > 1e-5
+    if max(before, after) < 1e-7:
+        return False
+    return True if max(before, after) * abs(change) / 2 > 1e-6 else None
 
 
 def slope(arm, index, parameter, rng):
