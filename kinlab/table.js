@@ -61,17 +61,21 @@ class Editor {
     Object.assign(this, { model, element, id: Editor.count++, shape: "", limits: false, asked: "", saving: "", next: "",
                           after: null });
     element.classList.add("kl-table");
-    element.setAttribute("data-lm-suppress-shortcuts", "true");   // the notebook's keys stay out
     const here = () => { this.next = ""; };         // the student has gone elsewhere
     for (const event of ["pointerdown", "keydown"]) element.addEventListener(event, here, true);
-    element.addEventListener("keydown", (event) => this.key(event));
+    element.addEventListener("keydown", (event) => {
+      this.key(event);
+      if (!event.ctrlKey && !event.metaKey) event.stopPropagation();   // the notebook's own keys
+    });
   }
 
   static count = 0;
 
   get state() { return this.model.get("state"); }
 
-  send(what, ...parameters) { this.model.send({ do: what, with: parameters }); }
+  send(what, ...parameters) {
+    if (!this.building) this.model.send({ do: what, with: parameters });
+  }
 
   /** Show the state: anew where rows or columns changed, else only the cells that did. */
   show() {
@@ -91,8 +95,10 @@ class Editor {
     const at = this.next || active?.dataset.at, half = active?.committed === undefined ||
       active.value === active.committed ? null : active.value;
     this.told = {};
+    this.building = true;                           // a cell that goes is not a cell that is left
     this.element.replaceChildren(this.bar(), ...this.question(), this.table(), this.named(),
                                  ...this.ends(), this.foot(), ...this.store());
+    this.building = false;
     const found = at && this.element.querySelector(`[data-at="${CSS.escape(at)}"]`);
     if (found) {
       found.focus({ preventScroll: true });

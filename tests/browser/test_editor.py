@@ -113,6 +113,10 @@ def test_tab_goes_through_the_cells_and_commits(table):
     page.keyboard.type("x")
     page.keyboard.press("Escape")
     expect(cell(editor, 3, "θ")).to_have_value("0")
+    button(editor, "Sign pattern").focus()
+    for key in ("b", "a", "m"):
+        page.keyboard.press(key)
+    settle(page)
     expect(page.locator(".jp-Notebook:visible .jp-Cell")).to_have_count(1)  # no shortcut was heard
 
 
@@ -186,6 +190,10 @@ def test_what_is_being_typed_is_never_touched(table):
     expect(editor.get_by_label("Type of joint 6")).to_have_count(1)
     expect(cell(editor, 2, "a")).to_have_value("50")
     expect(a3).to_be_focused()
+    expect(a3).to_have_value("12")
+    assert python(editor, "editor.table.rows[2].a") == "177.8"
+    run_code(editor.page, "editor.set(3, 'a', '77')")
+    expect(editor.locator(".kl-pose td").nth(3)).to_have_text("256.5")
     expect(a3).to_have_value("12")
     a3.press("Enter")
     wait_for_position(editor, [191.5, 0, 215])
