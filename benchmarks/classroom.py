@@ -73,8 +73,7 @@ def hub(homes: Path) -> Iterator[tuple[str, psutil.Process]]:
     port, inside = _free_ports(2)
     options = {"JupyterHub.authenticator_class": "dummy", "JupyterHub.spawner_class": "simple",
                "Authenticator.allow_all": "True", "JupyterHub.bind_url": f"http://127.0.0.1:{port}",
-               "JupyterHub.hub_port": inside, "JupyterHub.services": "[]",
-               "JupyterHub.load_roles": "[]", "JupyterHub.db_url": "sqlite://",
+               "JupyterHub.hub_port": inside, "JupyterHub.db_url": "sqlite://",
                "ConfigurableHTTPProxy.api_url": f"http://127.0.0.1:{_free_ports(1)[0]}",
                "SimpleLocalProcessSpawner.home_dir_template": f"{homes}/{{username}}",
                "JupyterHub.cookie_secret_file": f"{homes}/cookie_secret",

@@ -10,7 +10,7 @@ PREPARE = """
 import gc, ipywidgets, kinlab as kl
 from ipywidgets.widgets import widget
 
-arm = kl.robots.alpha_ii()
+arm, small = kl.robots.alpha_ii(), kl.robots.two_link()
 
 def drag(view, events):
     for k in range(events):
@@ -20,7 +20,7 @@ def drag(view, events):
 
 def show(times):
     for k in range(times):
-        view = kl.ArmView(arm, closed_form=k == 0)
+        view = kl.ArmView(small if k else arm, closed_form=k == 0)
         if k == 0:
             view._repr_mimebundle_()
         view.close()
