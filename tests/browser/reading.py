@@ -125,10 +125,11 @@ def wait_for_readouts(view: Locator, values, digits: int = 1) -> None:
 
 
 def wait_for_kernel(page: Page, robot, values, name: str = "view") -> np.ndarray:
-    """Wait until Python's joint values are those of the sliders; Python's values."""
-    for _ in range(30):
+    """Wait until Python's joint values are those of the sliders, rounded; Python's values."""
+    rounding = np.where([link.kind == "revolute" for link in robot().links], 0.051, 0.0051)
+    for _ in range(60):
         q = kernel_q(page, name)
-        if np.allclose(in_units(robot, q), values, atol=0.051):
+        if np.all(np.abs(in_units(robot, q) - values) < rounding):
             return q
         page.wait_for_timeout(50)
     raise AssertionError(f"Python has {in_units(robot, q)}, the sliders show {values}")
