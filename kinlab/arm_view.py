@@ -65,7 +65,7 @@ class ArmView(LiveView):
     def __init__(self, arm: Arm, q: Any = None, *, closed_form: bool = False,
                  show: Sequence[str] = ("frames", "labels"), preset: str | None = None,
                  poses: Any = None) -> None:
-        start = one_pose(arm, arm.home if isinstance(arm, Arm) and q is None else q)
+        start = first_pose(arm, q)
         preset = preset or _preset(arm)
         checks.choice("preset", preset, tuple(SPATIAL))
         self.arm, show = arm, layers(show)
@@ -96,7 +96,7 @@ class ArmView(LiveView):
         >>> view
         ArmView('2018 exam', q=[0 deg, 0 deg, 0.4 m], p=[0.4, -0.2, 0.9] m)
         """
-        q = one_pose(arm, arm.home if isinstance(arm, Arm) and q is None else q)
+        q = first_pose(arm, q)
         knobs, scene = [joint_knob(arm, i) for i in range(arm.n)], arm_scene(arm)
         self._replace(scene, knobs, q, arm.name or "Arm",
                       _panels(arm, scene, knobs, self._show, None), _preset(arm))
@@ -183,6 +183,11 @@ def _formula(arm: Arm) -> ipywidgets.HTMLMath:
     formula = ipywidgets.HTMLMath(f"$\\displaystyle {closed_form(arm).latex}$")
     formula.add_class("kl-math")
     return formula
+
+
+def first_pose(arm: Arm, q: Any) -> np.ndarray:
+    """Joint values that a view begins with, checked; the arm's home if there are none."""
+    return one_pose(arm, arm.home if isinstance(arm, Arm) and q is None else q)
 
 
 def one_pose(arm: Arm, q: Any) -> np.ndarray:

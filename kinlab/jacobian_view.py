@@ -9,10 +9,23 @@ import numpy as np
 
 from .arm import REVOLUTE, Arm
 from .arm_scene import arm_scene, is_planar
-from .arm_view import joint_knob, layers, one_pose, pose_table, switches, tour
+from .arm_view import first_pose, joint_knob, layers, pose_table, switches, tour
 from .kinematics import typical_length
 from .live import LiveView
-from .scene import ARROW, PLANAR, SOLID, TEXT, Item, Reading, Scene, Vector, Volume, at, subscript
+from .scene import (
+    ARROW,
+    PLANAR,
+    SOLID,
+    TEXT,
+    Item,
+    Reading,
+    Scene,
+    Vector,
+    Volume,
+    at,
+    circle,
+    subscript,
+)
 from .velocity import Velocity
 
 SECONDS = 0.3  # of motion that an arrow shows
@@ -55,7 +68,7 @@ def velocity_view(arm: Arm, q: Any = None, *, show: Sequence[str] = ()) -> LiveV
     >>> view.readings["w"][0].round(3)
     array([1.])
     """
-    start = one_pose(arm, arm.home if isinstance(arm, Arm) and q is None else q)
+    start = first_pose(arm, q)
     on = (*layers(show), *(layer for layer, *_ in _SWITCHES))
     scene = _scene(arm)
     joints = [joint_knob(arm, i) for i in range(arm.n)]
@@ -96,13 +109,8 @@ def _column(i: int, tip: int, radius: float) -> list[Item]:
 
 def _ellipse(frame: int, size: int) -> list[Item]:
     """The image of a circle, or of points all over a sphere, under everything."""
-    points = _circle(60) if size == 2 else _sphere(300)
+    points = circle(61)[:-1] if size == 2 else _sphere(300)
     return [Item("ellipse", SOLID, "ellipse", at(frame, *points), layer="ellipse")]
-
-
-def _circle(count: int) -> np.ndarray:
-    angles = np.linspace(0, 2 * np.pi, count, endpoint=False)
-    return np.stack([np.cos(angles), np.sin(angles), 0 * angles], axis=-1)
 
 
 def _sphere(count: int) -> np.ndarray:

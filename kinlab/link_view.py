@@ -17,7 +17,7 @@ import numpy as np
 from . import checks
 from .arm import CONVENTIONS, Arm, _check_arm
 from .arm_scene import arm_scene, joint_range
-from .arm_view import joint_knob, one_pose
+from .arm_view import first_pose, joint_knob
 from .live import Knob, LiveView, decimals
 from .motions import ROTATE, Motion, X, Z
 from .scene import SPATIAL, Amount, Point, Scene, Vector, at, camera, subscript
@@ -102,7 +102,7 @@ class _LinkSketch(Sketch):
         self.arm, self.link, drawn = arm, int(link), arm_scene(arm)
         self.steps, self.over = list(drawn.motions), drawn.radius
         self.items = [item for item in drawn.items if not item.gid.startswith(_HIDDEN)]
-        self.start = one_pose(arm, arm.home if q is None else q).tolist()
+        self.start = first_pose(arm, q).tolist()
         self.knobs = [replace(joint_knob(arm, i), home=self.start[i]) for i in range(arm.n)]
         self.motions = arm.chain[link]
         self.parameters = [parameter for _, _, parameter in CONVENTIONS[arm.convention]]

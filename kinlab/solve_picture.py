@@ -15,7 +15,7 @@ from .ik import inverse_kinematics
 from .kinematics import forward_kinematics
 from .live import Knob, LiveView
 from .motions import TRANSLATE
-from .scene import LINE, PLANAR, TEXT, Entry, Item, Point, Reading, Scene, Step, at
+from .scene import LINE, PLANAR, TEXT, Entry, Item, Point, Reading, Scene, Step, at, circle
 
 SIZE, HEART = (940.0, 570.0), (470.0, 208.0)   # px: the picture, and the middle of the arms
 _LEFT, _RIGHT, _TOP, _BOTTOM = 70.0, 915.0, 436.0, 540.0  # px: the error curve
@@ -121,7 +121,7 @@ class _Solves:
                                           body=body))
         places = forward_kinematics(self.arm, np.array(tracks).T)[:, :3, 3]
         self._add(f"{method}-path", "trace", at(root, *places), lift=2 * self.radius)
-        ring = self.goal + 0.05 * self.drawing.radius * _circle()
+        ring = self.goal + 0.05 * self.drawing.radius * circle(25)
         self._add(f"{method}-target", "target", at(root, *ring), lift=3 * self.radius)
         self._word(method, (HEART[0] + (2 * k - 1) * 0.25 * SIZE[0], 14.0), _WORDS[k])
 
@@ -193,11 +193,6 @@ class _Solves:
 
 def _decade(error: float) -> float:
     return float(np.clip(np.log10(max(error, 1e-300)), _LOW, _HIGH))
-
-
-def _circle() -> np.ndarray:
-    angles = np.linspace(0, 2 * np.pi, 25)
-    return np.stack([np.cos(angles), np.sin(angles), 0 * angles], axis=-1)
 
 
 def _raised(power: int) -> str:

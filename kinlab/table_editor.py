@@ -13,8 +13,8 @@ import ipywidgets
 import numpy as np
 import traitlets
 
-from . import checks, draw
-from .arm import REVOLUTE, Arm, revolute
+from . import checks, studio
+from .arm import REVOLUTE, Arm, _check_arm, revolute
 from .arm_scene import arm_scene
 from .arm_view import ArmView, joints_text
 from .cells import MILLIMETRES
@@ -253,8 +253,8 @@ class DHTableEditor(ipywidgets.VBox):
     def _compared(self, arm: Arm) -> str:
         q = self.view.q
         reading = other_reading(arm, q)
-        still = draw.figure(arm_scene(reading.numbers), q, "3-D", ("frames", "labels"))
-        picture = base64.b64encode(draw.png(still)).decode()
+        still = studio.png(arm_scene(reading.numbers), q, "3-D", ("frames", "labels"))
+        picture = base64.b64encode(still).decode()
         at = joints_text(arm, [slider.value for slider in self.view.joints])
         return compared_html(arm, reading, at, picture)
 
@@ -275,9 +275,7 @@ def _first(arm: Arm | None, angles: str, lengths: Any) -> DHTable:
 
 def _typed(arm: Any, angles: str) -> DHTable:
     """The table of an arm, if its numbers are such as a table takes."""
-    if not isinstance(arm, Arm):
-        raise ValueError(f"arm: expected a kinlab Arm, got {checks.brief(arm)}; "
-                         "build one with Arm([revolute(...), ...])")
+    _check_arm(arm)
     table = DHTable.of(arm, angles)
     if table.errors:
         raise ValueError(f"arm: expected numbers that fit a table; {reasons(table)[0]}")

@@ -11,12 +11,21 @@ import numpy as np
 from . import checks
 from .arm import Arm
 from .arm_scene import arm_scene, is_planar
-from .arm_view import joint_knob, joints_text, layers, one_pose, pose_table, switches, tour
+from .arm_view import (
+    first_pose,
+    joint_knob,
+    joints_text,
+    layers,
+    one_pose,
+    pose_table,
+    switches,
+    tour,
+)
 from .ik import inverse_kinematics
 from .kinematics import forward_kinematics
 from .live import Knob, LiveView, numbers
 from .motions import TRANSLATE
-from .scene import LINE, PLANAR, SPATIAL, TEXT, Item, Reading, Scene, Step, Vector, at
+from .scene import LINE, PLANAR, SPATIAL, TEXT, Item, Reading, Scene, Step, Vector, at, circle
 
 _AXES = np.eye(3)
 
@@ -66,14 +75,14 @@ class TargetView(LiveView):
 
     def __init__(self, arm: Arm, q: Any = None, *, show: Sequence[str] = ("labels", "frames")
                  ) -> None:
-        start = one_pose(arm, arm.home if isinstance(arm, Arm) and q is None else q)
+        start = first_pose(arm, q)
         self.arm, show = arm, layers(show)
         axes = 2 if is_planar(arm) else 3
-        scene, tip, place = _scene(arm, axes), len(arm_scene(arm).motions), _tool(arm, start)
+        scene, place = _scene(arm, axes), _tool(arm, start)
         joints = [joint_knob(arm, i) for i in range(arm.n)]
         knobs = [*(replace(knob, home=value) for knob, value in zip(joints, start.tolist())),
                  *(_knob(arm, scene, axis, place) for axis in range(axes))]
-        ring = {"frame": len(scene.motions), "tip": tip, "joints": arm.n, "unit": arm.unit,
+        ring = {"frame": len(scene.motions), "tip": scene.tip, "joints": arm.n, "unit": arm.unit,
                 "knobs": list(range(arm.n, arm.n + axes))}
         panels = {"target": ring, "pose": pose_table(arm, scene.radius), "layers": switches(show),
                   "poses": [[*pose, *_tool(arm, pose)[:axes]] for pose in tour(joints).tolist()]}
@@ -162,9 +171,7 @@ def _scene(arm: Arm, axes: int) -> Scene:
 
 def _ring(frame: int, size: float) -> list[Item]:
     """Three circles, so that a ring is seen from every side, and a star beside it."""
-    angles = np.linspace(0, 2 * np.pi, 25)
-    circle = 0.045 * size * np.stack([np.cos(angles), np.sin(angles), 0 * angles], axis=-1)
-    rings = [np.roll(circle, turn, axis=1) for turn in range(3)]
+    rings = [np.roll(0.045 * size * circle(25), turn, axis=1) for turn in range(3)]
     items = [Item(f"target-{k}", LINE, "target", at(frame, *ring), 9999, lift=5 * size)
              for k, ring in enumerate(rings)]
     name = Item("target-name", TEXT, "ink", at(frame, (0.09 * size, 0.05 * size, 0.05 * size)),

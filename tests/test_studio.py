@@ -28,6 +28,14 @@ def test_a_view_leaves_matplotlib_out_of_its_own_process():
     assert run.stdout.strip() == "False" and run.stderr == ""
 
 
+def test_the_editor_leaves_it_out_too():
+    code = ("import sys, kinlab as kl; editor = kl.DHTableEditor()\n"
+            "editor._hear(None, {'do': 'open', 'with': ['compare']}, [])\n"
+            "print('data:image/png' in editor._html.value, 'matplotlib' in sys.modules)")
+    run = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert run.stdout.split() == ["True", "False"]
+
+
 def test_the_pictures_are_those_that_would_be_drawn_here():
     assert studio.svg(*JOB) == draw.svg(draw.figure(*JOB))
     assert studio.png(*JOB) == draw.png(draw.figure(*JOB))
