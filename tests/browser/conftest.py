@@ -5,6 +5,7 @@ import shutil
 import nbformat
 import pytest
 from lab import open_browser, open_notebook, run_all, shut_down_kernels, start_lab
+from plain import LOAD, SOURCE
 from playwright.sync_api import Error
 
 KERNEL = {"name": "python3", "display_name": "Python 3", "language": "python"}
@@ -76,6 +77,15 @@ def watched():
 def page(browser, watched):
     """A blank page, without Jupyter."""
     page = watched(browser.new_page())
+    yield page
+    page.close()
+
+
+@pytest.fixture(scope="module")
+def blank(browser):
+    """A blank page with live.js loaded as a module."""
+    page = browser.new_page()
+    page.evaluate(LOAD, SOURCE)
     yield page
     page.close()
 

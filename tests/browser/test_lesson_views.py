@@ -1,33 +1,24 @@
 """Every view of the lessons in the browser: frames, picture and formulas as Python has them."""
 import re
 
-import anywidget
 import numpy as np
 import pytest
 from lesson_views import VIEWS
-from test_plain_page import LOAD, MOUNT, PAINTED, SOURCE, assert_same_path, js_frames
+from plain import MOUNT, PAINTED, canvas
+from test_plain_page import assert_same_path, js_frames
 
 from kinlab import draw
-
-
-@pytest.fixture(scope="module")
-def blank(browser):
-    page = browser.new_page()
-    page.evaluate(LOAD, SOURCE)
-    yield page
-    page.close()
 
 
 @pytest.mark.parametrize("make", VIEWS.values(), ids=VIEWS)
 def test_a_lessons_view_moves_as_python_says(blank, make):
     view = make()
-    scene, canvas = view._scene, next(
-        child for child in view.children if isinstance(child, anywidget.AnyWidget))
+    scene = view._scene
     low, high = np.array([(knob.low, knob.high) for knob in view._knobs]).T
     for share in (0.31, 0.77):
         view._move(low + share * (high - low))
         q = view._values.tolist()
-        blank.evaluate(MOUNT, [canvas.svg, canvas.scene, q])
+        blank.evaluate(MOUNT, [canvas(view).svg, canvas(view).scene, q])
         np.testing.assert_allclose(js_frames(blank, scene, q), scene.frames(q),
                                    rtol=1e-9, atol=1e-9)
         assert_as_drawn(blank.evaluate(PAINTED), scene, q, view._preset)

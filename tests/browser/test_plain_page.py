@@ -1,12 +1,11 @@
 """live.js without Jupyter: the same frames and the same picture in a plain HTML page."""
 import itertools
-from pathlib import Path
 
-import anywidget
 import numpy as np
 import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
+from plain import LOAD, MOUNT, PAINTED, SOURCE, canvas
 from reading import numbers, projected
 from strategies import arms_and_q
 
@@ -18,42 +17,6 @@ from kinlab.scene import SPATIAL
 COURSE = [kl.robots.two_link, kl.robots.practical_six_link, kl.robots.cylindrical,
           kl.robots.exam_2018, kl.robots.alpha_ii, kl.robots.intelledex_660t]
 course = pytest.mark.parametrize("robot", COURSE, ids=lambda robot: robot.__name__)
-SOURCE = "".join(Path(kl.__file__).with_name(f"{name}.js").read_text(encoding="utf-8")
-                 for name in ("live", "reach"))
-LOAD = """async source => {
-    const url = URL.createObjectURL(new Blob([source], {type: 'text/javascript'}));
-    window.kinlab = await import(url);
-}"""
-MOUNT = """([svg, scene, q]) => {
-    window.listeners = new Set();
-    window.joints = {
-        q, read: () => joints.q,
-        write(q) { joints.q = q; listeners.forEach(listener => listener()); },
-        listen(listener) { listeners.add(listener); return () => listeners.delete(listener); },
-    };
-    document.body.innerHTML = '<div id="arm"></div>';
-    window.live = kinlab.mount(document.getElementById('arm'), svg, scene, joints);
-}"""
-PAINTED = """() => new Promise(done => requestAnimationFrame(() => requestAnimationFrame(() => {
-    const groups = [...document.querySelectorAll('svg g[id]')].filter(g => g.firstElementChild);
-    const node = g => g.firstElementChild;
-    done({
-        order: groups.map(g => g.id),
-        paths: Object.fromEntries(groups.map(g => [g.id, node(g).getAttribute('d') ?? ''])),
-        texts: Object.fromEntries(groups.filter(g => node(g).tagName === 'text').map(
-            g => [g.id, [Number(node(g).getAttribute('x')), Number(node(g).getAttribute('y'))]])),
-        fills: Object.fromEntries(groups.map(g => [g.id, getComputedStyle(node(g)).fill])),
-    });
-})))"""
-
-
-@pytest.fixture(scope="module")
-def blank(browser):
-    """A blank page with live.js loaded as a module."""
-    page = browser.new_page()
-    page.evaluate(LOAD, SOURCE)
-    yield page
-    page.close()
 
 
 def matrices(frames):
@@ -86,8 +49,7 @@ def test_frames_of_any_arm_equal_pythons(blank, arm_and_q):
 def mounted(page, arm, q, show=("frames", "labels")):
     """The arm's data, drawn in the page at joint values q."""
     view = kl.ArmView(arm, show=show, preset="3-D")
-    canvas = next(c for c in view.children if isinstance(c, anywidget.AnyWidget))
-    page.evaluate(MOUNT, [canvas.svg, canvas.scene, list(q)])
+    page.evaluate(MOUNT, [canvas(view).svg, canvas(view).scene, list(q)])
     return arm_scene(arm)
 
 
@@ -260,7 +222,6 @@ def test_one_finger_turns_the_picture_and_two_zoom_it(browser, watched):
 
 def test_a_finger_on_a_flat_picture_scrolls_the_page(page):
     view = kl.lessons.rotation.axes_view()
-    canvas = next(c for c in view.children if isinstance(c, anywidget.AnyWidget))
     page.evaluate(LOAD, SOURCE)
-    page.evaluate(MOUNT, [canvas.svg, canvas.scene, [0.5]])
+    page.evaluate(MOUNT, [canvas(view).svg, canvas(view).scene, [0.5]])
     assert page.locator(".kl-picture").evaluate("box => box.style.touchAction") == "pan-y"

@@ -1,11 +1,11 @@
 """The target in the browser: the joints follow it, by the pointer and by the keys."""
-import anywidget
 import numpy as np
 import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
+from plain import LOAD, MOUNT, SOURCE, canvas
 from reading import kernel_q, settle
-from test_plain_page import COURSE, LOAD, MOUNT, SOURCE, blank, js_frames  # noqa: F401
+from test_plain_page import COURSE, js_frames
 
 import kinlab as kl
 
@@ -25,10 +25,6 @@ course = pytest.mark.parametrize("robot", COURSE, ids=lambda robot: robot.__name
 few = settings(max_examples=30, suppress_health_check=[HealthCheck.function_scoped_fixture])
 
 
-def canvas(view):
-    return next(c for c in view.children if isinstance(c, anywidget.AnyWidget))
-
-
 def ranges(view):
     joints = canvas(view).scene["joints"][:view.arm.n]
     return np.array([[joint["low"], joint["high"]] for joint in joints]).T
@@ -36,21 +32,21 @@ def ranges(view):
 
 @few
 @given(robot=st.sampled_from(COURSE), seed=st.integers(0, 10**6))
-def test_frames_of_velocities_and_tracks_equal_pythons(blank, robot, seed):  # noqa: F811
+def test_frames_of_velocities_and_tracks_equal_pythons(blank, robot, seed):
     arm, rng = robot(), np.random.default_rng(seed)
     q = rng.uniform(-3, 3, arm.n)
     scene = kl.velocity_view(arm)._scene
     np.testing.assert_allclose(js_frames(blank, scene, q), scene.frames(q), rtol=1e-9, atol=1e-9)
 
 
-def test_frames_of_a_solve_equal_pythons(blank):  # noqa: F811
+def test_frames_of_a_solve_equal_pythons(blank):
     scene = kl.solve_view(kl.robots.two_link(), [0.5, 1, 0], [0.2, 0.4])._scene
     for step in (-1, 0, 0.3, 1, 2.5, 99):
         np.testing.assert_allclose(js_frames(blank, scene, [step]), scene.frames([step]), atol=1e-9)
 
 
 @course
-def test_the_browser_never_claims_what_forward_kinematics_denies(blank, robot):  # noqa: F811
+def test_the_browser_never_claims_what_forward_kinematics_denies(blank, robot):
     """From anywhere to anywhere: within the limits, no error hidden, none made larger."""
     view, rng = kl.TargetView(robot()), np.random.default_rng(3)
     low, high = ranges(view)
@@ -71,7 +67,7 @@ def test_the_browser_never_claims_what_forward_kinematics_denies(blank, robot): 
 
 @pytest.mark.parametrize("robot", [r for r in COURSE if r is not kl.robots.alpha_ii],
                          ids=lambda robot: robot.__name__)
-def test_a_dragged_target_is_reached(blank, robot):  # noqa: F811
+def test_a_dragged_target_is_reached(blank, robot):
     view, rng = kl.TargetView(robot()), np.random.default_rng(4)
     low, high = ranges(view)
     home = view.T[:3, 3]
@@ -83,7 +79,7 @@ def test_a_dragged_target_is_reached(blank, robot):  # noqa: F811
         assert found["error"] < 1e-6 * view._scene.radius
 
 
-def test_a_joint_at_its_limit_leaves_the_work_to_the_others(blank):  # noqa: F811
+def test_a_joint_at_its_limit_leaves_the_work_to_the_others(blank):
     arm = kl.Arm([kl.revolute(a=1, limits=(-0.5, 0.5)), kl.revolute(a=1), kl.revolute(a=0.5)])
     view = kl.TargetView(arm, q=[0.5, 0.6, 0.4])
     goal = kl.forward_kinematics(arm, [0.5, 2.0, 0.2])[:3, 3].tolist()
@@ -91,7 +87,7 @@ def test_a_joint_at_its_limit_leaves_the_work_to_the_others(blank):  # noqa: F81
     assert found["error"] < 1e-6 and found["steps"] < 30
 
 
-def test_a_stretched_arm_folds(blank):  # noqa: F811
+def test_a_stretched_arm_folds(blank):
     """Its Jacobian cannot shorten it: without a push it would stay."""
     view = kl.TargetView(kl.robots.two_link(), q=[0, 0])
     found = blank.evaluate(REACH, [canvas(view).scene, [0, 0, 1.2, 0], [1.2, 0, 0]])

@@ -1,9 +1,9 @@
 """The views of the workspace lesson in a plain page: their curves follow the knobs."""
 import numpy as np
 import pytest
+from plain import LOAD, MOUNT, PAINTED, SOURCE
 from reading import numbers, projected
 from test_lesson_workspace import LIMITS, tip
-from test_plain_page import LOAD, MOUNT, PAINTED, SOURCE
 
 from kinlab.lessons import workspace
 
