@@ -36,7 +36,7 @@ ROOT = Path(__file__).parent.parent
 LESSON = ROOT / "notebooks" / "07_alpha_ii.ipynb"
 CONFIG = ROOT / "deploy" / "jupyterhub_config.py"
 ALONE, DRAG_SECONDS, ROUNDS = 3, 2.0, 5  # students who drag alone; then all drag, with pauses
-REST = 25  # seconds until the drawing processes have ended: kinlab/studio.py, IDLE
+REST = 25  # seconds until the drawing processes have ended: kinlab/drawing/worker.py, IDLE
 GOAL_MB, GOAL_RATIO = 30, 10
 VIEWS = re.compile(r"\b(ArmView|view|bend|roll|touch)\b")
 

@@ -19,9 +19,9 @@ import sympy as sp
 from measure import NOT_INSTALLED, goal, header, peer, progress, table
 
 import kinlab as kl
-from kinlab import robots
-from kinlab.arm import CONVENTIONS
-from kinlab.symbolic import exact_angle, exact_length
+from kinlab.arms import robots
+from kinlab.arms.arm import CONVENTIONS
+from kinlab.arms.symbolic import exact_angle, exact_length
 
 ARMS = ("alpha_ii", "practical_six_link", "intelledex_660t")
 ROUNDS = 3
@@ -70,7 +70,7 @@ def joints(arm: kl.Arm) -> tuple[sp.Symbol, ...]:
     return sp.symbols(f"theta_1:{arm.n + 1}")
 
 
-def link_matrix(arm: kl.Arm, row: kl.arm.Link, q: sp.Symbol) -> sp.Matrix:
+def link_matrix(arm: kl.Arm, row: kl.arms.arm.Link, q: sp.Symbol) -> sp.Matrix:
     """The product of the four elementary matrices of a DH row."""
     values = dict(theta=q + exact_angle(row.theta), d=exact_length(row.d),
                   a=exact_length(row.a), alpha=exact_angle(row.alpha))

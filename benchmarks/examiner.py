@@ -15,7 +15,7 @@ from statistics import median
 from measure import goal, header, progress, table
 
 import kinlab as kl
-from kinlab import robots
+from kinlab.arms import robots
 
 ARMS = (robots.two_link, robots.exam_2018, robots.alpha_ii, robots.practical_six_link,
         robots.intelledex_660t)

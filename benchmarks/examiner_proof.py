@@ -21,7 +21,7 @@ import numpy as np
 from measure import goal, header, progress, table
 
 import kinlab as kl
-from kinlab.kinematics import axis_frames
+from kinlab.arms.kinematics import axis_frames
 
 sys.path.insert(0, str(Path(__file__).parent.parent / "tests"))
 import mechanisms as m

@@ -13,7 +13,7 @@ import numpy as np
 from measure import NOT_INSTALLED, goal, header, interleaved, peer, progress, ratio, table
 
 import kinlab as kl
-from kinlab.kinematics import CHUNK
+from kinlab.arms.kinematics import CHUNK
 
 BATCHES = (1, 1_000, 1_000_000)
 ROUNDS = {1: 9, 1_000: 9, 1_000_000: 5}

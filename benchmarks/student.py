@@ -15,7 +15,7 @@ import requests
 import websocket
 
 WAIT = 300  # seconds for anything to happen
-KINLAB_SECONDS = 0.1  # between two messages of a slider: kinlab/jupyter.js, TELL
+KINLAB_SECONDS = 0.1  # between two messages of a slider: kinlab/browser/host_jupyter.js, TELL
 BROWSER_SECONDS = 1 / 60  # ipywidgets alone: at each movement, once the last one is answered
 
 

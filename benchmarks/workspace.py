@@ -19,7 +19,7 @@ from forward_kinematics import PUMA, toolbox
 from measure import NOT_INSTALLED, goal, header, interleaved, peer, progress, ratio, table
 
 import kinlab as kl
-from kinlab.sampling import r_sequence
+from kinlab.arms.workspace import r_sequence
 
 SAMPLES = int(sys.argv[1]) if len(sys.argv) > 1 and sys.argv[1].isdigit() else 1_000_000
 LOOP_AT_MOST = 20_000  # poses one call after the other

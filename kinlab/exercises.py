@@ -7,9 +7,10 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
-from . import checks, lessons
-from .judging import Blank, Wrong
-from .verdict import BLANK, CORRECT, NOT_YET, Verdict
+from . import lessons
+from .answers.judges import Blank, Wrong
+from .answers.verdict import BLANK, CORRECT, NOT_YET, Verdict
+from .arms import inputs
 
 
 def check(name: str, answer: Any) -> Verdict:
@@ -52,7 +53,7 @@ def check(name: str, answer: Any) -> Verdict:
 
 
 def _judge(name: Any) -> Callable[[Any], str]:
-    lesson = checks.choice("name", name.partition(".")[0] if isinstance(name, str) else name,
+    lesson = inputs.choice("name", name.partition(".")[0] if isinstance(name, str) else name,
                            lessons.names())
     known = lessons.judges(lesson)
-    return known[checks.choice("name", name, tuple(known))]
+    return known[inputs.choice("name", name, tuple(known))]

@@ -1,7 +1,7 @@
 """Random edits of a DH table, sensible and not, as an editor in a notebook receives them."""
 from hypothesis import strategies as st
 
-from kinlab.dh_table import COLUMNS, PARAMETERS, DHTable, Row
+from kinlab.tables.table import COLUMNS, PARAMETERS, DHTable, Row
 
 GOOD = ["0", "-90", "90", "pi/2", "-pi", "45 deg", "0.5 rad", "177.8", "-d2", "d2 + 100", "2*l1",
         "sqrt(2)/2", "(30+15)", "1e-3", ".5", "−45", "60°", "", " 12 ", "0.1*2^3"]

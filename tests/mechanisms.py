@@ -8,7 +8,7 @@ import numpy as np
 from textbook import rigid
 
 import kinlab as kl
-from kinlab.kinematics import axis_frames
+from kinlab.arms.kinematics import axis_frames
 
 ANGLES = {"theta", "alpha"}
 

@@ -10,41 +10,43 @@ import pytest
 import kinlab as kl
 
 PACKAGE = Path(kl.__file__).parent
-SOURCES = sorted(PACKAGE.glob("*.py"))
+SOURCES = sorted([*PACKAGE.glob("*.py"), *PACKAGE.glob("*/*.py")])
+SOURCES = [path for path in SOURCES if path.parent.name != "lessons"
+           and (path.stem != "__init__" or path.parent == PACKAGE)]
 TREES = {path.stem: ast.parse(path.read_text(encoding="utf-8")) for path in SOURCES}
 HEAVY = ("sympy", "matplotlib", "ipywidgets", "anywidget", "IPython")
 
 # What each module of the mathematics may import besides the standard library.
 MATHEMATICS = {
-    "checks": {"numpy"},
+    "inputs": {"numpy"},
     "motions": {"numpy", "sympy"},  # sympy only where a caller brings a symbol
-    "transforms": {"numpy", "checks", "motions"},
-    "arm": {"numpy", "checks", "motions"},
-    "kinematics": {"numpy", "checks", "motions", "arm"},
-    "singularity": {"numpy", "checks", "arm", "kinematics"},
-    "pose_error": {"numpy", "arm", "motions", "kinematics"},
-    "descent": {"numpy", "pose_error"},
-    "solve": {"numpy", "kinematics", "pose_error", "descent"},
-    "ik": {"numpy", "checks", "arm", "kinematics", "pose_error", "descent", "solve"},
+    "transforms": {"numpy", "inputs", "motions"},
+    "arm": {"numpy", "inputs", "motions"},
+    "kinematics": {"numpy", "inputs", "motions", "arm"},
+    "singularity": {"numpy", "inputs", "arm", "kinematics"},
+    "task": {"numpy", "arm", "motions", "kinematics"},
+    "descent": {"numpy", "task"},
+    "solve": {"numpy", "kinematics", "task", "descent"},
+    "ik": {"numpy", "inputs", "arm", "kinematics", "task", "descent", "solve"},
     "progress": set(),
-    "sampling": {"numpy", "checks", "arm", "motions", "kinematics", "progress"},
+    "workspace": {"numpy", "inputs", "arm", "motions", "kinematics", "progress"},
     "notation": {"sympy"},
-    "symbolic": {"sympy", "checks", "motions", "arm", "kinematics", "notation"},
-    "euler": {"numpy", "checks", "motions", "transforms"},
+    "symbolic": {"sympy", "inputs", "motions", "arm", "kinematics", "notation"},
+    "euler": {"numpy", "inputs", "motions", "transforms"},
     "robots": {"numpy", "arm"},
     "mechanism": {"numpy", "arm", "kinematics"},
     "verdict": set(),
-    "stance": {"numpy", "arm", "kinematics", "mechanism"},
-    "examiner": {"numpy", "arm", "mechanism", "stance", "verdict"},
-    "frame_placement": {"numpy", "checks", "arm", "kinematics", "verdict"},
-    "parsing": {"checks"},
-    "cells": {"checks", "parsing"},
-    "dh_table": {"numpy", "checks", "arm", "parsing", "cells"},
-    "dh_csv": {"checks", "arm", "cells", "dh_table"},
-    "dh_code": {"checks", "arm", "parsing", "cells", "dh_csv", "dh_table"},
+    "zero_pose": {"numpy", "arm", "kinematics", "mechanism"},
+    "same_mechanism": {"numpy", "arm", "mechanism", "zero_pose", "verdict"},
+    "placed_frames": {"numpy", "inputs", "arm", "kinematics", "verdict"},
+    "numbers": {"inputs"},
+    "cells": {"inputs", "numbers"},
+    "table": {"numpy", "inputs", "arm", "numbers", "cells"},
+    "as_csv": {"inputs", "arm", "cells", "table"},
+    "as_code": {"inputs", "arm", "numbers", "cells", "as_csv", "table"},
     "__init__": set(),
 }
-DRAWING = ("velocity", "scene", "arm_scene", "draw", "studio", "workspace_plots")
+DRAWING = ("velocity", "scene", "arm_scene", "figure", "worker", "workspace_figures")
 VIEWS = ("live", "arm_view", "sketch", "link_view", "notebook_bar", "target_view", "jacobian_view",
          "solve_picture", "table_editor", "site")
 WIDGETS = {"ipywidgets", "anywidget", "traitlets", "IPython"}
@@ -52,15 +54,16 @@ WIDGETS = {"ipywidgets", "anywidget", "traitlets", "IPython"}
 
 def imports(tree):
     """Every module that a source imports, anywhere in it; kinlab's own by their bare names."""
-    found = set()
+    own, others = set(), set()
     for node in ast.walk(tree):
         if isinstance(node, ast.Import):
-            found |= {alias.name.split(".")[0] for alias in node.names}
-        elif isinstance(node, ast.ImportFrom) and node.level and not node.module:
-            found |= {alias.name for alias in node.names}
+            others |= {alias.name.split(".")[0] for alias in node.names}
+        elif isinstance(node, ast.ImportFrom) and not node.level:
+            others.add(node.module.split(".")[0])
         elif isinstance(node, ast.ImportFrom):
-            found.add(node.module.split(".")[1 if node.module.startswith("kinlab.") else 0])
-    return found - sys.stdlib_module_names
+            last = (node.module or "").split(".")[-1]
+            own |= {last} if last in TREES else {alias.name for alias in node.names}
+    return own | others - sys.stdlib_module_names
 
 
 def fresh(code):

@@ -13,7 +13,7 @@ from typing import Any
 def names() -> tuple[str, ...]:
     """The lessons that have a module here; those with an underscore only serve others."""
     return tuple(module.name for module in iter_modules(__path__)
-                 if not module.name.startswith("_"))
+                 if not module.ispkg and not module.name.startswith("_"))
 
 
 def judges(lesson: str) -> dict[str, Callable[[Any], str]]:

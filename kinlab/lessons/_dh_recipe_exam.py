@@ -9,12 +9,12 @@ from typing import Any
 
 import numpy as np
 
-from .. import robots
-from ..arm import Arm, prismatic, revolute
-from ..frame_placement import examine_frames
-from ..judging import Blank, Wrong, evaluated, expressions, first_of, is_stub
-from ..kinematics import forward_kinematics, link_frames
-from ._tables import examined
+from ..answers.judges import Blank, Wrong, evaluated, expressions, first_of, is_stub
+from ..answers.placed_frames import examine_frames
+from ..answers.table_judge import examined
+from ..arms import robots
+from ..arms.arm import Arm, prismatic, revolute
+from ..arms.kinematics import forward_kinematics, link_frames
 
 _EXAM = robots.exam_2018()
 _LENGTHS = dict(d_1=0.5, L_off=0.2, a_2=0.4)

@@ -8,9 +8,9 @@ from typing import Any
 
 import numpy as np
 
-from .. import kinematics
-from ..arm import Arm, revolute
-from ..judging import Judge, function, is_stub
+from ..answers.judges import Judge, function, is_stub
+from ..arms import kinematics
+from ..arms.arm import Arm, revolute
 
 # ---- Exercise 1: the link matrix ------------------------------------------------------
 

@@ -8,9 +8,9 @@ from typing import Any
 
 import numpy as np
 
-from .. import kinematics, robots
-from ..arm import Arm, revolute
-from ..judging import choices, expressions, function, joint_values
+from ..answers.judges import choices, expressions, function, joint_values
+from ..arms import kinematics, robots
+from ..arms.arm import Arm, revolute
 
 # ---- Exercise 1: the link transform -------------------------------------------------
 

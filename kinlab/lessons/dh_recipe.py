@@ -7,12 +7,12 @@ from typing import Any
 
 import numpy as np
 
-from ..judging import choices, values
-from ..link_view import motions_view, parameters_view
-from ..live import Knob, LiveView
-from ..motions import ROTATE, TRANSLATE, X, Y, Z
-from ..scene import Vector, at
-from ..sketch import Sketch
+from ..answers.judges import choices, values
+from ..arms.motions import ROTATE, TRANSLATE, X, Y, Z
+from ..drawing.scene import Vector, at
+from ..drawing.sketch import Sketch
+from ..views.link_view import motions_view, parameters_view
+from ..views.live import Knob, LiveView
 from . import _dh_recipe_exam
 
 __all__ = ["JUDGES", "motions_view", "parameters_view", "rules_view"]

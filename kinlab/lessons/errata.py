@@ -7,8 +7,8 @@ from typing import Any
 
 import numpy as np
 
-from .. import checks
-from ..judging import Wrong, choices, expressions, joint_values
+from ..answers.judges import Wrong, choices, expressions, joint_values
+from ..arms import inputs
 
 
 def _column(theta: float, d: float, a: float, alpha: float) -> list[float]:
@@ -31,7 +31,7 @@ _COLUMN_SLIPS = [
 
 def _four_twists(answer: Any) -> np.ndarray:
     try:
-        return checks.shaped("twists", answer, (4,), "four angles in radians")
+        return inputs.shaped("twists", answer, (4,), "four angles in radians")
     except ValueError as error:
         raise Wrong(f"{error}.") from None
 

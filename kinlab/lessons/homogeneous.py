@@ -10,9 +10,9 @@ from typing import Any
 import numpy as np
 import sympy as sp
 
-from .. import transforms
-from ..judging import expressions, function
-from ._homogeneous_views import chain, combined, fixed, order, seen_back, spatial
+from ..answers.judges import expressions, function
+from ..arms import transforms
+from .views.homogeneous import chain, combined, fixed, order, seen_back, spatial
 
 __all__ = ["chain", "combined", "expansion", "fixed", "growth", "order", "seen_back", "spatial",
            "spelled_out"]

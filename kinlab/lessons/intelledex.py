@@ -9,10 +9,10 @@ from typing import Any
 
 import numpy as np
 
-from .. import kinematics, robots
-from ..arm import Arm
-from ..judging import Wrong, choices, expressions, joint_values
-from ._tables import table
+from ..answers.judges import Wrong, choices, expressions, joint_values
+from ..answers.table_judge import table
+from ..arms import kinematics, robots
+from ..arms.arm import Arm
 
 _ARM = robots.intelledex_660t()
 _JOINTS = tuple(f"theta_{i}" for i in range(1, 7))
@@ -20,7 +20,7 @@ _JOINTS = tuple(f"theta_{i}" for i in range(1, 7))
 
 def yaw_view() -> Any:
     """The arm at soft home; Play rolls the shoulder, yaws with the tool pitch, and goes back."""
-    from ..arm_view import ArmView
+    from ..views.arm_view import ArmView
 
     steps = [[90, -90, 90, 0, 90, 0], [90, 0, 90, 0, 90, 0], [90, 0, 90, 0, 0, 0],
              [90, 0, 90, 0, 180, 0], [90, 0, 90, 0, 90, 0]]

@@ -7,8 +7,8 @@ from typing import Any
 
 import numpy as np
 
-from .. import checks, kinematics, robots
-from ..judging import choices, function, joint_values
+from ..answers.judges import choices, function, joint_values
+from ..arms import inputs, kinematics, robots
 from .alpha_ii import _one_pose, _straight_down, _within_limits
 
 _TWO, _ALPHA_II = robots.two_link(), robots.alpha_ii()
@@ -109,7 +109,7 @@ POINT = np.array([1.2, 0.9])
 
 
 def _pair(answer: Any) -> np.ndarray:
-    return checks.shaped("both", answer, (2, 2), "two rows of two joint values")
+    return inputs.shaped("both", answer, (2, 2), "two rows of two joint values")
 
 
 def _both_reach(pair: np.ndarray) -> str:

@@ -8,13 +8,13 @@ from typing import Any
 
 import numpy as np
 
-from .. import euler, kinematics, robots
-from ..arm import Arm
-from ..judging import function, joint_values
+from ..answers.judges import function, joint_values
+from ..answers.table_judge import table
+from ..arms import euler, kinematics, robots
+from ..arms.arm import Arm
 from . import _n_link_programs
 from ._n_link_programs import GIVEN, through
-from ._n_link_views import both_conventions, misread, zyz_view
-from ._tables import table
+from .views.n_link import both_conventions, misread, zyz_view
 
 __all__ = ["JUDGES", "both_conventions", "misread", "zyz_view"]
 

@@ -6,12 +6,12 @@ from math import cos, pi, radians, sin
 
 import numpy as np
 
-from ..judging import choices, function, values
-from ..live import Knob, LiveView
-from ..motions import ROTATE, TRANSLATE, X, Y, Z
-from ..scene import Point, at
-from ..sketch import Sketch
-from ..transforms import rotation_2d
+from ..answers.judges import choices, function, values
+from ..arms.motions import ROTATE, TRANSLATE, X, Y, Z
+from ..arms.transforms import rotation_2d
+from ..drawing.scene import Point, at
+from ..drawing.sketch import Sketch
+from ..views.live import Knob, LiveView
 
 ORIGIN: Point = (0, 0.0, 0.0, 0.0)
 

@@ -7,12 +7,12 @@ from typing import Any
 
 import numpy as np
 
-from .. import checks, kinematics, robots
-from ..arm_scene import arm_scene
-from ..arm_view import joint_knob
-from ..judging import choices, joint_values, values
-from ..live import LiveView
-from ..scene import LINE, TEXT, Item, Reading, Vector, at
+from ..answers.judges import choices, joint_values, values
+from ..arms import inputs, kinematics, robots
+from ..drawing.arm_scene import arm_scene
+from ..drawing.scene import LINE, TEXT, Item, Reading, Vector, at
+from ..views.arm_view import joint_knob
+from ..views.live import LiveView
 
 _ARM = robots.two_link()
 TARGET = np.array([cos(radians(20)) + cos(radians(80)), sin(radians(20)) + sin(radians(80))])
@@ -88,7 +88,7 @@ _PRODUCT_HINTS = {
 
 
 def _two_ways(answer: Any) -> np.ndarray:
-    return checks.shaped("your answer", answer, (2, 2), "two pairs of joint values, shape (2, 2)")
+    return inputs.shaped("your answer", answer, (2, 2), "two pairs of joint values, shape (2, 2)")
 
 
 def _reaches(k: int, q: np.ndarray) -> str:

@@ -3,11 +3,11 @@ from __future__ import annotations
 
 import numpy as np
 
-from ..judging import expressions, values
-from ..live import Knob, LiveView
-from ..motions import TRANSLATE, X, Y
-from ..scene import Point, at
-from ..sketch import Sketch
+from ..answers.judges import expressions, values
+from ..arms.motions import TRANSLATE, X, Y
+from ..drawing.scene import Point, at
+from ..drawing.sketch import Sketch
+from ..views.live import Knob, LiveView
 
 ORIGIN: Point = (0, 0.0, 0.0, 0.0)
 _SHORT = {"decimals": 2}

@@ -7,9 +7,9 @@ from typing import Any
 
 import numpy as np
 
-from .. import checks, transforms
-from ..judging import expressions, function, joint_values
-from ._two_link_views import both_methods, n_links
+from ..answers.judges import expressions, function, joint_values
+from ..arms import inputs, transforms
+from .views.two_link import both_methods, n_links
 
 __all__ = ["both_methods", "n_links"]
 
@@ -123,7 +123,7 @@ _L1, _L2 = 2.0, 1.0
 
 
 def _two_angles(answer: Any) -> np.ndarray:
-    return checks.shaped("q", answer, (2,), "two angles, theta_1 and theta_2")
+    return inputs.shaped("q", answer, (2,), "two angles, theta_1 and theta_2")
 
 
 def _points_back(q: np.ndarray) -> str:

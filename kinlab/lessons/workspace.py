@@ -7,10 +7,10 @@ from typing import Any
 
 import numpy as np
 
-from .. import checks, kinematics, robots
-from ..judging import function, joint_values
-from ._workspace_views import L1, L2, limits_view, ring_view
+from ..answers.judges import function, joint_values
+from ..arms import inputs, kinematics, robots
 from .alpha_ii import _one_pose, _within_limits
+from .views.workspace import L1, L2, limits_view, ring_view
 
 __all__ = ["limits_view", "ring_view"]
 
@@ -53,7 +53,7 @@ _NEAR, _FAR = 0.4, 2.2  # m
 
 
 def _lengths(answer: Any) -> np.ndarray:
-    lengths = checks.shaped("lengths", answer, (2,), "two lengths, l_1 and l_2")
+    lengths = inputs.shaped("lengths", answer, (2,), "two lengths, l_1 and l_2")
     if min(lengths) <= 0:
         raise ValueError(f"lengths: expected two lengths above 0, got {lengths.tolist()}")
     return lengths
@@ -93,10 +93,10 @@ _NARROWEST = radians(0.1)
 
 
 def _range(answer: Any) -> np.ndarray:
-    limits = checks.shaped("limits", answer, (2,), "the lowest and the highest theta_1")
+    limits = inputs.shaped("limits", answer, (2,), "the lowest and the highest theta_1")
     if limits[0] >= limits[1]:
         raise ValueError("limits: expected the lowest value before the highest, got "
-                         f"{checks.brief(limits.tolist())}")
+                         f"{inputs.brief(limits.tolist())}")
     return limits
 
 

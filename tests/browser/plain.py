@@ -5,8 +5,8 @@ import anywidget
 
 import kinlab as kl
 
-SOURCE = "".join(Path(kl.__file__).with_name(f"{name}.js").read_text(encoding="utf-8")
-                 for name in ("live", "reach"))
+SOURCE = "".join((Path(kl.__file__).parent / "browser" / f"{name}.js").read_text(encoding="utf-8")
+                 for name in ("live", "chase"))
 LOAD = """async source => {
     const url = URL.createObjectURL(new Blob([source], {type: 'text/javascript'}));
     window.kinlab = await import(url);

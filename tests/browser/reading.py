@@ -1,7 +1,7 @@
 """Read what a live view draws, and say where it should stand by formulas typed here.
 
-Nothing here goes through kinlab/draw.py or kinlab/live.js: only the arm's frames, the scene's
-centre and scale, and an orthographic projection.
+Nothing here goes through kinlab/drawing/figure.py or kinlab/browser/live.js: only the arm's
+frames, the scene's centre and scale, and an orthographic projection.
 """
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from lab import run_code
 from playwright.sync_api import Locator, Page, expect
 
 import kinlab as kl
-from kinlab.arm_scene import arm_scene
+from kinlab.drawing.arm_scene import arm_scene
 
 PIXELS = 0.02
 READ = """view => {

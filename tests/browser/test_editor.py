@@ -54,7 +54,8 @@ def wait_for_position(editor, p):
 
 def assert_drawn(editor):
     """The picture of the page is the one that a fresh view of Python's arm draws first."""
-    code = ("from kinlab.arm_scene import arm_scene; s = arm_scene(editor.arm); import numpy; "
+    code = ("from kinlab.drawing.arm_scene import arm_scene; import numpy\n"
+            "s = arm_scene(editor.arm)\n"
             "print(*numpy.array([f[:3, 3] for f in s.frames(editor.view.q)])[-1], *s.center, "
             "s.scale, *s.size)")
     x, y, z, *more = map(float, run_code(editor.page, code).split())

@@ -7,7 +7,7 @@ from lesson_views import VIEWS
 from plain import MOUNT, PAINTED, canvas
 from test_plain_page import assert_same_path, js_frames
 
-from kinlab import draw
+from kinlab.drawing import figure
 
 
 @pytest.mark.parametrize("make", VIEWS.values(), ids=VIEWS)
@@ -27,9 +27,9 @@ def test_a_lessons_view_moves_as_python_says(blank, make):
 
 
 def assert_as_drawn(seen, scene, q, preset):
-    frames, camera = scene.frames(q), draw.camera(*scene.presets[preset])
+    frames, camera = scene.frames(q), figure.camera(*scene.presets[preset])
     for item in scene.items:
-        points = draw.project(scene, frames, camera, item)
+        points = figure.project(scene, frames, camera, item)
         if item.shape == "text":
             assert abs(seen["texts"][item.gid][0] - points[0, 0]) < 0.02
         elif item.shape != "trace":

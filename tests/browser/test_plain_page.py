@@ -10,9 +10,9 @@ from reading import numbers, projected
 from strategies import arms_and_q
 
 import kinlab as kl
-from kinlab import draw
-from kinlab.arm_scene import arm_scene
-from kinlab.scene import SPATIAL
+from kinlab.drawing import figure
+from kinlab.drawing.arm_scene import arm_scene
+from kinlab.drawing.scene import SPATIAL
 
 COURSE = [kl.robots.two_link, kl.robots.practical_six_link, kl.robots.cylindrical,
           kl.robots.exam_2018, kl.robots.alpha_ii, kl.robots.intelledex_660t]
@@ -79,7 +79,7 @@ def assert_same_picture(page, scene, q, camera):
 
 
 def assert_same_path(item, path, points):
-    outline = draw.outline(item.shape, points)
+    outline = figure.outline(item.shape, points)
     if item.shape == "face":
         x, y = points[:, 0], points[:, 1]
         area = np.sum(x * np.roll(y, -1) - y * np.roll(x, -1))

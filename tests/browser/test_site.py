@@ -5,7 +5,7 @@ from playwright.sync_api import expect
 from reading import SETTLE, assert_picture, assert_table, from_units, read
 
 import kinlab as kl
-from kinlab.notebooks import FOLDER
+from kinlab.course.notebooks import FOLDER
 
 LESSONS = sorted(path.stem for path in FOLDER.glob("*.ipynb"))
 HOME = (-60, 24, 1)

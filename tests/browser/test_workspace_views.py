@@ -3,7 +3,7 @@ import numpy as np
 import pytest
 from plain import LOAD, MOUNT, PAINTED, SOURCE
 from reading import numbers, projected
-from test_lesson_workspace import LIMITS, tip
+from test_workspace_lesson import LIMITS, tip
 
 from kinlab.lessons import workspace
 

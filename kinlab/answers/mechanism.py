@@ -1,0 +1,329 @@
+"""When two arms are the same mechanism: their joint axes compared, whatever frames were chosen.
+
+An arm moves its tool by T(q) = exp(S_1 q_1) ... exp(S_n q_n) T(0), with S_i the axis of joint i
+at q = 0: a line if it turns, a direction if it slides. Let c be joint offsets, s signs, B a base
+placement and E a tool transform. Offsets carry the axes into another pose, S_i(c), so
+
+    T(s q + c) = exp(s_1 S_1(c) q_1) ... exp(s_n S_n(c) q_n) T(c).
+
+Two arms therefore move alike for all q, B T(s q + c) E = T'(q), exactly when B carries the axes
+s_i S_i(c) onto S'_i: derivatives at q = 0 show that this is necessary, the formula that it is
+enough (E makes up for the tool). So there must be a pose c in which the axes of one arm lie on
+those of the other. That asks for
+
+* equal twists between neighbouring axes, and equal bends (the angle about an axis between the
+  planes of its two twists) at prismatic axes: a revolute joint makes up for any bend;
+* between one revolute axis and the next, equal steps in the basis that these directions span, up
+  to slides along either revolute axis and along the prismatic axes between. A slide along a
+  revolute axis is shared by both its neighbours. So the steps of all links, stacked, may differ
+  only by an element of one linear space: the rest of the difference is what is wrong.
+
+Flipped axes change signs of these numbers. All sign patterns that the twists allow are tried.
+"""
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import cached_property
+from itertools import pairwise
+from typing import NamedTuple
+
+import numpy as np
+
+from ..arms.arm import REVOLUTE, Arm, to_standard
+from ..arms.kinematics import link_frames
+
+# Half of the sixth decimal: an angle typed as 1.570796 counts as pi/2. Lengths: of each itself.
+TOLERANCE = 5e-7
+ROUNDING = 1e-9  # of the longest length
+FLAT = 1e-6  # a smaller singular value or slope is rounding noise
+MOST_PATTERNS, MOST_COMPARED = 4096, 256
+
+
+def cross(u: np.ndarray, v: np.ndarray) -> np.ndarray:
+    """The cross product of two vectors; numpy's own takes ten times as long for so few."""
+    (a, b, c), (d, e, f) = u.tolist(), v.tolist()
+    return np.array([b * f - c * e, c * d - a * f, a * e - b * d])
+
+
+class Axes(NamedTuple):
+    """Joint axes of an arm at q = 0, with the standard table they came from."""
+
+    arm: Arm
+    turns: np.ndarray  # (n,) revolute or not
+    z: np.ndarray  # (n, 3) direction of each axis
+    x: np.ndarray  # (n, 3) x of frames 1 to n
+    a: np.ndarray
+    d: np.ndarray
+
+    @property
+    def n(self) -> int:
+        return len(self.turns)
+
+    @property
+    def longest(self) -> float:
+        """The longest length of the table; where it has none, rounding leaves some noise."""
+        ends = np.abs([self.arm.base[:3, 3], self.arm.tool[:3, 3]]).max()
+        return max(np.abs(self.a).max(), np.abs(self.d).max(), 1e-6 * ends, 1e-6)
+
+    def twist(self, i: int) -> float:
+        """Angle from axis i to axis i + 1, in [0, pi]."""
+        return float(np.arctan2(np.linalg.norm(self.normal(i)), self.z[i] @ self.z[i + 1]))
+
+    def normal(self, i: int) -> np.ndarray:
+        return cross(self.z[i], self.z[i + 1])
+
+    def bend(self, k: int, m: int) -> float:
+        """Angle about axis k from the normal before it to the one after axis m, parallel to k."""
+        before, after = self.normal(k - 1), self.normal(m)
+        return float(np.arctan2(self.z[k] @ cross(before, after), before @ after))
+
+    def steps(self) -> np.ndarray:
+        """From each frame's origin to the next, along z and then along x: (n, 3)."""
+        return self.d[:, None] * self.z + self.a[:, None] * self.x
+
+
+def axes_of(arm: Arm) -> Axes:
+    """The joint axes of an arm."""
+    arm = to_standard(arm)
+    frames = link_frames(arm, np.zeros(arm.n))
+    values = np.array([(link.a, link.d) for link in arm.links])
+    turns = np.array([link.kind == REVOLUTE for link in arm.links])
+    return Axes(arm, turns, frames[:-1, :3, 2], frames[1:, :3, 0], *values.T)
+
+
+class Group(NamedTuple):
+    """From one revolute axis to the next; `third` is the first axis not parallel to the first."""
+
+    first: int
+    last: int
+    third: int | None
+
+
+@dataclass(frozen=True)
+class Layout:
+    """What the reference decides: which axes are parallel, and what may slide where."""
+
+    axes: Axes
+
+    @cached_property
+    def parallel(self) -> np.ndarray:
+        """(n - 1,) whether axis i and axis i + 1 are parallel."""
+        return np.array([np.sin(t) <= TOLERANCE for t in self.twists], dtype=bool)
+
+    @cached_property
+    def twists(self) -> list[float]:
+        return [self.axes.twist(i) for i in range(self.axes.n - 1)]
+
+    @cached_property
+    def runs(self) -> list[range]:
+        """Neighbouring axes that are parallel."""
+        cuts = [0, *(np.flatnonzero(~self.parallel) + 1), self.axes.n]
+        return [range(start, stop) for start, stop in pairwise(cuts)]
+
+    @cached_property
+    def bends(self) -> dict[tuple[int, int], float]:
+        """Bends that no revolute joint makes up for."""
+        held = [run for run in self.runs[1:-1] if not self.axes.turns[run].any()]
+        return {(run[0], run[-1]): self.axes.bend(run[0], run[-1]) for run in held}
+
+    @cached_property
+    def groups(self) -> list[Group]:
+        turning = np.flatnonzero(self.axes.turns).tolist()
+        start_of_next = {i: run.stop for run in self.runs for i in run}
+        return [Group(p, q, start_of_next[p] if start_of_next[p] <= q else None)
+                for p, q in pairwise(turning)]
+
+    @cached_property
+    def steps(self) -> np.ndarray:
+        return stacked(self.axes, self)[0]
+
+    @cached_property
+    def fixed(self) -> np.ndarray:
+        """Projector onto what no slide along an axis changes in the stacked steps."""
+        slides = np.zeros((self.axes.n, 3 * len(self.groups)))
+        for g, group in enumerate(self.groups):
+            E, block = basis(self.axes, group), slice(3 * g, 3 * g + 3)
+            for i in range(group.first, group.last + 1):
+                slides[i, block] = self.axes.z[i] @ E.T * (-1 if i == group.first else 1)
+        U, sizes, _ = np.linalg.svd(slides.T, full_matrices=False)
+        U = U[:, sizes > FLAT]
+        return np.eye(len(U)) - U @ U.T
+
+
+def basis(axes: Axes, group: Group) -> np.ndarray:
+    """Rows e1, e2, e3: e3 along the group's first axis, e2 normal to it and to the third one."""
+    first, last, third = group
+    z, step = axes.z[first], axes.steps()[first:last].sum(axis=0)
+    across = step - (step @ z) * z
+    if third is None:
+        e1 = across if np.linalg.norm(across) > 0 else axes.x[first]
+        e2 = cross(z, e1)
+    else:
+        e2 = cross(z, axes.z[third])
+        if np.linalg.norm(e2) <= TOLERANCE:  # parallel where the reference's are not
+            e2 = across if np.linalg.norm(across) > 0 else axes.x[first]
+    e2 = e2 / np.linalg.norm(e2)
+    return np.array([cross(e2, z), e2, z])
+
+
+def stacked(axes: Axes, layout: Layout) -> tuple[np.ndarray, np.ndarray]:
+    """Steps of all groups, each in its own basis, and their slopes by every length.
+
+    The slopes have two rows for each link, by a and by d.
+    """
+    steps, slopes = np.zeros(3 * len(layout.groups)), np.zeros((axes.n, 2, 3 * len(layout.groups)))
+    for g, group in enumerate(layout.groups):
+        E, block = basis(axes, group), slice(3 * g, 3 * g + 3)
+        links = slice(group.first, group.last)
+        steps[block] = E @ axes.steps()[links].sum(axis=0)
+        slopes[links, 0, block], slopes[links, 1, block] = axes.x[links] @ E.T, axes.z[links] @ E.T
+    return steps, slopes
+
+
+def flips(signs: np.ndarray, layout: Layout) -> np.ndarray:
+    """What sign patterns (m, n) do to the stacked steps: factors (m, 3 groups)."""
+    factors = np.ones((len(signs), 3 * len(layout.groups)))
+    for g, (first, _, third) in enumerate(layout.groups):
+        side = np.ones(len(signs)) if third is None else signs[:, third]
+        turn = np.ones(len(signs)) if third is None else side * signs[:, first]
+        factors[:, 3 * g:3 * g + 3] = np.stack([side, turn, signs[:, first]], axis=-1)
+    return factors
+
+
+def turned_bend(bend: float, signs: np.ndarray, k: int, m: int) -> np.ndarray:
+    """The bend between axes of which some are flipped; its own inverse."""
+    both = signs[..., k - 1] * signs[..., k] * signs[..., m] * signs[..., m + 1]
+    return np.arctan2(both * signs[..., k] * np.sin(bend), both * np.cos(bend))
+
+
+def differ(a: np.ndarray, b: float) -> np.ndarray:
+    """Whether angles differ, whole turns aside."""
+    return np.abs(wrapped(a - b)) > TOLERANCE
+
+
+def wrapped(angle: np.ndarray) -> np.ndarray:
+    """The angle between -pi and pi."""
+    return np.angle(np.exp(1j * angle))
+
+
+class Fault(NamedTuple):
+    """One number of the answer's table that is off, and what it should be.
+
+    `row` counts from 0 in the standard table; `parameter` is alpha, theta, a or d.
+    """
+
+    parameter: str
+    row: int
+    got: float
+    expected: float
+
+
+def apart(a: float, b: float) -> tuple[str, str]:
+    """Two values as texts, with as many digits as it takes to tell them apart."""
+    for digits in (6, 9, 12):
+        texts = tuple(f"{round(value, 12) + 0.0:.{digits}g}" for value in (a, b))
+        if texts[0] != texts[1]:
+            break
+    return texts
+
+
+class Match(NamedTuple):
+    """The best way to lay the answer's axes upon the reference's.
+
+    `signs` has a row for each sign pattern that is as good; `faults` belong to the first one.
+    `single` where at most one number of the table is off.
+    """
+
+    signs: np.ndarray
+    faults: list[Fault]
+    single: bool
+
+
+def matched(answer: Axes, layout: Layout) -> Match:
+    """Lay the axes of one arm upon those of another with the same joints."""
+    reference = layout.axes
+    signs, off = _patterns(answer, layout)
+    steps, slopes = stacked(answer, layout)
+    flipped = flips(signs, layout)
+    gaps = (flipped * steps - layout.steps) @ layout.fixed
+    size = np.linalg.norm(gaps, axis=1)
+    size[size <= ROUNDING * reference.longest] = 0
+    order = np.lexsort(((signs < 0).sum(axis=1), size, off))[:MOST_COMPARED]
+    signs, off, gaps = signs[order], off[order], gaps[order]
+    bars = (flipped[order][:, None] * slopes.reshape(2 * answer.n, -1)) @ layout.fixed
+    cost, fault = _lengths(answer, reference, gaps, bars)
+    score = off + 0.6 * cost
+    best = np.argmin(score)
+    lengths = [fault(best)] if cost[best] else []
+    return Match(signs[score == score[best]], [*_angles(answer, layout, signs[best]), *lengths],
+                 bool(off[best] + cost[best] < 2))
+
+
+def _patterns(answer: Axes, layout: Layout) -> tuple[np.ndarray, np.ndarray]:
+    """Sign patterns that leave the fewest angles off, or one more; and how many are off."""
+    signs = np.array([[1], [-1]])
+    off = np.zeros(2, dtype=int)
+    for i in range(1, answer.n):
+        signs = np.column_stack([np.tile(signs, (2, 1)), np.repeat([1, -1], len(signs))])
+        twist, expected = answer.twist(i - 1), layout.twists[i - 1]
+        straight = signs[:, i - 1] == signs[:, i]
+        off = np.tile(off, 2) + differ(np.where(straight, twist, np.pi - twist), expected)
+        for (k, m), expected in layout.bends.items():
+            if m + 1 == i:
+                off = off + differ(turned_bend(answer.bend(k, m), signs, k, m), expected)
+        keep = np.argsort(off, kind="stable")[:MOST_PATTERNS]
+        keep = keep[off[keep] <= off.min() + 1]
+        signs, off = signs[keep], off[keep]
+    return signs, off
+
+
+def _lengths(answer: Axes, reference: Axes, gaps: np.ndarray,
+             bars: np.ndarray) -> tuple[np.ndarray, Callable[[int], Fault]]:
+    """What it costs to explain the gap of each sign pattern by one length, and that length.
+
+    A gap is explained by a length whose slope it follows. Where several do (offsets along
+    parallel axes add up), the one that brings back the reference's own number is taken.
+    """
+    values = np.stack([answer.a, answer.d], axis=1).ravel()
+    originals = np.abs(np.stack([reference.a, reference.d], axis=1).ravel())
+    noise, sizes = ROUNDING * max(answer.longest, reference.longest), (bars ** 2).sum(axis=-1)
+    change = (bars @ gaps[..., None])[..., 0] / np.maximum(sizes, FLAT ** 2)
+    change[sizes <= FLAT ** 2] = 0
+    gap = np.linalg.norm(gaps, axis=1, keepdims=True)
+    right = np.all(np.abs(change) <= TOLERANCE * np.abs(values) + noise, axis=1) & (
+        gap[:, 0] <= noise * FLAT / ROUNDING)
+    left = np.linalg.norm(gaps[:, None] - change[..., None] * bars, axis=-1)
+    strange = np.abs(np.abs(values - change) - originals) > noise
+    cost = np.where(left <= noise + 1e-3 * gap, 1 + 0.1 * strange,
+                    2 + 0.1 * left / np.maximum(gap, noise))
+    choice = np.argmin(cost, axis=1)
+
+    def fault(pattern: int) -> Fault:
+        k = choice[pattern]
+        got, by = float(values[k]), float(change[pattern, k])
+        return Fault("ad"[k % 2], int(k // 2), got, got - by)
+    return np.where(right, 0, cost.min(axis=1)), fault
+
+
+def _angles(answer: Axes, layout: Layout, signs: np.ndarray) -> list[Fault]:
+    """Twists, then bends, that differ under a sign pattern."""
+    faults = []
+    for i, expected in enumerate(layout.twists):
+        if signs[i] != signs[i + 1]:
+            expected = np.pi - expected
+        if differ(answer.twist(i), expected):
+            faults.append(Fault("alpha", i, answer.arm.links[i].alpha, expected))
+    for (k, m), bend in layout.bends.items():
+        expected, got = turned_bend(bend, signs, k, m), answer.bend(k, m)
+        if differ(got, expected):
+            faults.append(_bent(answer, layout, range(k, m + 1), wrapped(expected - got)))
+    return faults
+
+
+def _bent(answer: Axes, layout: Layout, run: range, change: float) -> Fault:
+    """Parallel prismatic joints add up their angles: name the one that is not the reference's."""
+    changes = {i: change * np.sign(answer.z[i] @ answer.z[run[0]]) for i in run}
+    mine, theirs = ([link.theta for link in axes.arm.links] for axes in (answer, layout.axes))
+    k = min(run, key=lambda i: abs(wrapped(mine[i] + changes[i] - theirs[i])))
+    return Fault("theta", k, mine[k], float(mine[k] + changes[k]))

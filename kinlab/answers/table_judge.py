@@ -1,0 +1,105 @@
+"""Judges of DH tables by what the arm does: every valid choice of frames is right.
+
+Where a lesson says where the arm stands and where its tip is, both ends count as well. A joint
+added at each end pins them, wherever frame 0 and the last frame were put:
+
+* at the tip, across the last axis as far away as the tip is (or along it, if the last joint
+  slides), so that the last row has to lead to the tip;
+* at the floor, across the first axis, so that the first row has to hold the height above it.
+"""
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from math import atan2, hypot, pi
+from typing import Any
+
+import numpy as np
+
+from ..arms.arm import REVOLUTE, Arm, revolute, to_modified, to_standard
+from ..arms.kinematics import forward_kinematics
+from .judges import Blank, Judge, Wrong, first_of, is_stub
+from .same_mechanism import same_mechanism
+from .verdict import NOT_YET, Verdict
+
+Slips = Sequence[tuple[str, Arm]]
+
+
+def table(reference: Arm, *, ends: bool = False, strict: bool = False, slips: Slips = (),
+          praise: str) -> Judge:
+    """Judge of an arm, made from a table.
+
+    Parameters
+    ----------
+    reference : Arm
+    ends : bool
+        Also ask for the floor, on which frame 0 stands, and for the tip.
+    strict : bool
+        As in `same_mechanism`: also ask for the zero position and the tool frame.
+    slips : sequence of (message, wrong arm)
+        One with the answer's own numbers is named alone; one that is the same as the answer,
+        other frames aside, is named behind what the examiner says.
+    praise : str
+    """
+    def judge(answer: Any) -> str:
+        if is_stub(answer):
+            raise Blank("Replace the ... by kl.Arm([kl.revolute(...), ...]).")
+        if not isinstance(answer, Arm):
+            raise Wrong("Expected an arm, made with kl.Arm([kl.revolute(...), ...]).")
+        return examined(answer, reference, ends=ends, strict=strict, slips=slips, praise=praise)
+    return judge
+
+
+def examined(answer: Arm, reference: Arm, *, ends: bool, strict: bool = False, slips: Slips = (),
+             praise: str) -> str:
+    """The praise for a right arm, with what was chosen differently; raises `Wrong` otherwise."""
+    verdict = _compared(answer, reference, ends, strict)
+    if verdict.ok:
+        return f"{verdict.message} {praise}"
+    said = first_of(slips, lambda wrong: _same_numbers(answer, wrong)) or [
+        verdict.message, *first_of(slips, lambda wrong: _compared(answer, wrong, ends, strict).ok)]
+    raise Wrong(" ".join(said))
+
+
+def _same_numbers(answer: Arm, wrong: Arm) -> bool:
+    (kind, numbers), (other_kind, others) = _described(answer), _described(wrong)
+    return kind == other_kind and np.allclose(numbers, others)
+
+
+def _described(arm: Arm) -> tuple[list[str], list[float]]:
+    rows = [(link.theta, link.d, link.a, link.alpha) for link in arm.links]
+    return [arm.convention, *(link.kind for link in arm.links)], [*np.ravel(rows), *arm.tool.flat]
+
+
+def _compared(answer: Arm, reference: Arm, ends: bool, strict: bool) -> Verdict:
+    verdict = same_mechanism(answer, reference, strict=strict)
+    if not (verdict.ok and ends):
+        return verdict
+    tip = same_mechanism(_with_tip(answer), _with_tip(reference))
+    if tip.message.startswith(f"Joint {answer.n + 1}"):  # the last link of a modified table
+        return Verdict(NOT_YET, "The arm is right, but its tip is not: check the tool.")
+    if not tip.ok:
+        return tip
+    if not same_mechanism(_on_floor(answer), _on_floor(reference)).ok:
+        return Verdict(NOT_YET, f"Joint 1: the offset d1 is {answer.links[0].d:g}, but with frame "
+                                "0 on the floor it holds the height of the column.")
+    return verdict
+
+
+def _with_tip(arm: Arm) -> Arm:
+    """The arm with a joint at its tip, whose axis lies alike for all choices of the last frame."""
+    *links, last = to_standard(arm).links
+    x, y, d = forward_kinematics(Arm([last], tool=to_standard(arm).tool), [0])[:3, 3]
+    a = hypot(x, y)
+    theta, a = (atan2(y, x), a) if a > 1e-9 * (a + abs(d)) else (last.theta, 0)
+    end = replace(last, theta=theta, d=d, a=a, alpha=pi / 2 if last.kind == REVOLUTE else 0)
+    longer = Arm([*links, end, revolute()], base=to_standard(arm).base)
+    return to_modified(longer) if arm.convention == "modified" else longer
+
+
+def _on_floor(arm: Arm) -> Arm:
+    """The arm with a joint where its first axis meets the floor, as high as the room's origin."""
+    arm = to_standard(arm)
+    first, *links = arm.links
+    height = arm.base[:3, 3] @ arm.base[:3, 2]
+    return Arm([revolute(alpha=pi / 2), replace(first, d=first.d + height), *links])

@@ -1,0 +1,225 @@
+"""Forward kinematics: frames, the tool's pose and the Jacobian, for one pose or a million."""
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Sequence
+from itertools import chain
+from typing import Any
+
+import numpy as np
+
+from . import inputs
+from .arm import REVOLUTE, Arm, Link, _check_arm
+from .motions import ROTATE, Frame, Motion, _product, along, matrix, stack
+
+# Poses worked on at a time, so that all components of a frame stay in the processor's cache.
+CHUNK = 4096
+
+
+def joint_values(arm: Arm, q: Any, name: str = "q") -> np.ndarray:
+    """Joint values as an array (..., n), or a ValueError that says what was wrong."""
+    _check_arm(arm)
+    who = f"arm '{arm.name}'" if arm.name else "this arm"
+    q = inputs.real_array(name, q, f"{arm.n} joint values in radians or {arm.unit}")
+    if q.shape[-1:] != (arm.n,):
+        raise ValueError(f"{name}: expected shape (..., {arm.n}) for {who}, got {q.shape}; "
+                         "give one value per joint")
+    return q
+
+
+def forward_kinematics(arm: Arm, q: Any) -> np.ndarray:
+    """Pose of the tool in the room, T_0E: base, every link, and the tool.
+
+    Parameters
+    ----------
+    arm : Arm
+    q : array, shape (..., n)
+        Joint values, radians for revolute and the arm's unit for prismatic joints. Values
+        beyond the limits are allowed: limits belong to the hardware, not to the formula.
+
+    Returns
+    -------
+    array, shape (..., 4, 4)
+
+    Raises
+    ------
+    ValueError
+        If `q` does not fit the arm or is not finite.
+
+    Examples
+    --------
+    >>> from kinlab import robots
+    >>> forward_kinematics(robots.alpha_ii(), [0, 0, 0, -np.pi / 2, 0])[:3, 3]
+    array([485.1,   0. , 215. ])
+    """
+    q = joint_values(arm, q)
+    return _matrices([tuple(chain(*arm.chain))], q)[..., 0, :, :]
+
+
+def link_frames(arm: Arm, q: Any) -> np.ndarray:
+    """Poses of frames 0 to n in the room: T_00 (the base), T_01, ..., T_0n, without the tool.
+
+    Parameters
+    ----------
+    arm : Arm
+    q : array, shape (..., n)
+        Joint values, radians or the arm's unit.
+
+    Returns
+    -------
+    array, shape (..., n + 1, 4, 4)
+
+    Raises
+    ------
+    ValueError
+        If `q` does not fit the arm or is not finite.
+
+    Examples
+    --------
+    >>> from kinlab import robots
+    >>> link_frames(robots.two_link(), [0, 0])[:, 0, 3]
+    array([0., 0., 1.])
+    """
+    q = joint_values(arm, q)
+    return _matrices(arm.chain[:-1], q)
+
+
+def jacobian(arm: Arm, q: Any) -> np.ndarray:
+    """Geometric Jacobian of the tool point, rows [v; w] in base axes.
+
+    Column i is [z x (p - o); z] for a revolute joint and [z; 0] for a prismatic one, with z
+    and o the joint's axis and a point on it (Spong, Hutchinson and Vidyasagar, chapter 4).
+
+    Parameters
+    ----------
+    arm : Arm
+    q : array, shape (..., n)
+        Joint values, radians or the arm's unit.
+
+    Returns
+    -------
+    array, shape (..., 6, n)
+        Velocity (unit per joint unit) over angular velocity (radian per joint unit).
+
+    Raises
+    ------
+    ValueError
+        If `q` does not fit the arm or is not finite.
+
+    Examples
+    --------
+    >>> from kinlab import robots
+    >>> jacobian(robots.two_link(), [0, 0])[:2]
+    array([[0., 0.],
+           [2., 1.]])
+    """
+    q = joint_values(arm, q)
+    motions = tuple(chain(*arm.chain))
+    if q.ndim == 1:
+        return stack([*zip(*tool_and_twists(motions, q.tolist())[1])])
+    J = np.empty((*q.shape[:-1], 6, arm.n))
+    flat, out = q.reshape(-1, arm.n), J.reshape(-1, 6, arm.n)
+    for start in range(0, len(flat), CHUNK):
+        part = slice(start, start + CHUNK)
+        columns = np.ascontiguousarray(flat[part].T)
+        for i, twist in enumerate(tool_and_twists(motions, columns)[1]):
+            for row, component in enumerate(twist):
+                out[part, row, i] = component
+    return J
+
+
+def tool_and_twists(motions: Iterable[Motion], q: Sequence) -> tuple[Frame, list[tuple]]:
+    """The frame at the end of the motions, and the twist (v, w) that each joint gives it.
+
+    Components are floats, arrays or sympy expressions, as the joint values are.
+    """
+    tool, joints = tool_and_joints(motions, q)
+    return tool, [(*_cross(z, tuple(map(_minus, tool.origin, o))), *z) if kind == ROTATE
+                  else (*z, 0, 0, 0) for kind, z, o in joints]
+
+
+def tool_and_joints(motions: Iterable[Motion], q: Sequence, frame: Frame | None = None
+                    ) -> tuple[Frame, list[tuple]]:
+    """The frame at the end of the motions, and each joint's kind, axis and a point on it."""
+    frame, joints = frame or Frame(), []
+    for motion in motions:
+        frame = frame.moved(motion, q)
+        if motion.joint is not None:
+            axes = frame.axes if frame.about == motion.axis else frame.settled()
+            joints.append((motion.kind, axes[motion.axis], frame.origin))
+    return frame, joints
+
+
+def reach(arm: Arm) -> float:
+    """No pose puts the tool farther than this from the base: links and slides laid end to end.
+
+    Infinite if a prismatic joint has no limits.
+    """
+    _check_arm(arm)
+    links = sum(math.hypot(link.a, _longest(link)) for link in arm.links)
+    return links + float(np.linalg.norm(arm.tool[:3, 3]))
+
+
+def typical_length(arm: Arm) -> float:
+    """The length beside which a turn by one radian counts: the reach, if that is a length."""
+    length = reach(arm)
+    return length if 0 < length < math.inf else 1.0
+
+
+def joint_limits(arm: Arm) -> tuple[np.ndarray, np.ndarray]:
+    """Lowest and highest joint values, shape (n,); infinite where a joint has no limits."""
+    pairs = [link.limits or (-math.inf, math.inf) for link in arm.links]
+    low, high = np.array(pairs).T
+    return low, high
+
+
+def joint_ranges(arm: Arm, slide: float) -> tuple[np.ndarray, np.ndarray]:
+    """Limits, with half a turn, or `slide`, to either side in place of those that are missing."""
+    rooms = (math.pi if link.kind == REVOLUTE else slide for link in arm.links)
+    low, high = np.array([link.limits or (-room, room) for link, room in zip(arm.links, rooms)]).T
+    return low, high
+
+
+def axis_frames(arm: Arm) -> list[int]:
+    """Index of the link frame whose z is the axis of each joint."""
+    first = 0 if arm.convention == "standard" else 1
+    return list(range(first, first + arm.n))
+
+
+def _matrices(stretches: Sequence[Sequence[Motion]], q: np.ndarray) -> np.ndarray:
+    """Frames after each stretch of motions, shape (..., len(stretches), 4, 4)."""
+    if q.ndim == 1:  # plain floats are faster than arrays of one
+        return np.stack([matrix(frame) for frame in along(stretches, q.tolist())])
+    poses = np.empty((*q.shape[:-1], len(stretches), 4, 4))
+    flat, out = q.reshape(-1, q.shape[-1]), poses.reshape(-1, len(stretches), 4, 4)
+    for start in range(0, len(flat), CHUNK):
+        part = slice(start, start + CHUNK)
+        columns = np.ascontiguousarray(flat[part].T)
+        for k, frame in enumerate(along(stretches, columns)):
+            _write(frame, out[part, k])
+    return poses
+
+
+def _write(frame: Frame, out: np.ndarray) -> None:
+    for j, column in enumerate((*frame.settled(), frame.origin)):
+        for i, component in enumerate(column):
+            out[:, i, j] = component
+    out[:, 3] = 0, 0, 0, 1
+
+
+def _longest(link: Link) -> float:
+    """The largest link offset, whatever the joint does."""
+    if link.kind == REVOLUTE:
+        return abs(link.d)
+    return max(abs(link.d + end) for end in link.limits) if link.limits else math.inf
+
+
+def _minus(a: Any, b: Any) -> Any:
+    if type(b) is int and b == 0:
+        return a
+    return -b if type(a) is int and a == 0 else a - b
+
+
+def _cross(u: Sequence, v: Sequence) -> tuple:
+    return tuple(_minus(_product(u[i], v[j]), _product(u[j], v[i]))
+                 for i, j in ((1, 2), (2, 0), (0, 1)))

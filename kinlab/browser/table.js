@@ -1,0 +1,393 @@
+// The cells and buttons of the DH table. Python (kinlab/views/table_editor.py) holds the table: the browser
+// tells it each edit and shows the state that comes back. What is being typed is never touched.
+
+const GREEK = { theta: "θ", alpha: "α", d: "d", a: "a" };
+const NAMES = { theta: "joint angle", d: "link offset", a: "link length", alpha: "link twist",
+                low: "lower limit", high: "upper limit", home: "home" };
+const TITLES = { standard: "standard (Spong, Schilling)", modified: "modified (Craig)" };
+const PANELS = [["closed", "Closed form", "The arm matrix in closed form"],
+                ["symbols", "… with symbols", "The arm matrix with letters for its lengths"],
+                ["signs", "Sign pattern", "Only the signs of the table's numbers"],
+                ["compare", "", "The same numbers in the other convention, side by side"]];
+const LIMITS = ["low", "high", "home"];
+const LONGEST = 200, MOST = 60000;                  // characters in a cell, in a file
+
+const make = (tag, attributes = {}, ...children) => {
+  const node = document.createElement(tag);
+  for (const [name, value] of Object.entries(attributes)) {
+    if (value !== null && value !== false) node.setAttribute(name, value);
+  }
+  node.append(...children);
+  return node;
+};
+
+const lowered = (number) => String(number).replace(/\d/g, (digit) => "₀₁₂₃₄₅₆₇₈₉"[digit]);
+
+function choose(label, options, value, take) {
+  const list = make("select", { "aria-label": label, "data-at": label },
+    ...options.map(([key, text]) => make("option", { value: key }, text)));
+  list.value = value;
+  list.addEventListener("change", () => take(list.value, list));
+  return list;
+}
+
+function press(text, title, action, extra = {}) {
+  const button = make("button", { type: "button", class: "kl-button", title, "data-at": title,
+                                  "aria-label": text.length > 1 ? null : title, ...extra }, text);
+  button.addEventListener("click", () => action(button));
+  return button;
+}
+
+/** A cell of text that is sent when it is left or Enter is pressed; Escape takes it back. */
+function typed(at, label, text, send) {
+  const input = make("input", { type: "text", "data-at": at, "aria-label": label, spellcheck: "false",
+                                autocomplete: "off", maxlength: LONGEST, class: "kl-cell" });
+  input.value = input.committed = text;
+  const commit = () => {
+    if (input.value === input.committed) return;
+    input.committed = input.value;
+    send(input.value);
+  };
+  input.addEventListener("change", commit);
+  input.addEventListener("keydown", (event) => {
+    if (event.key === "Enter") commit();
+    if (event.key === "Escape") input.value = input.committed;
+  });
+  return input;
+}
+
+class Editor {
+  constructor(model, element) {
+    Object.assign(this, { model, element, id: Editor.count++, shape: "", limits: false, asked: "", saving: "", next: "",
+                          after: null });
+    element.classList.add("kl-table");
+    const here = () => { this.next = ""; };         // the student has gone elsewhere
+    for (const event of ["pointerdown", "keydown"]) element.addEventListener(event, here, true);
+    element.addEventListener("keydown", (event) => {
+      this.key(event);
+      if (!event.ctrlKey && !event.metaKey) event.stopPropagation();   // the notebook's own keys
+    });
+  }
+
+  static count = 0;
+
+  get state() { return this.model.get("state"); }
+
+  send(what, ...parameters) {
+    if (!this.building) this.model.send({ do: what, with: parameters });
+  }
+
+  /** Show the state: anew where rows or columns changed, else only the cells that did. */
+  show() {
+    const { state } = this;
+    const hidden = state.rows.some(({ cells }) => LIMITS.some((column) => cells[column].error));
+    this.columns = [...state.columns, ...(this.limits || hidden ? LIMITS : [])];
+    const shape = JSON.stringify([state.rows.map(({ key, kind, name }) => [key, kind, name]),
+      this.columns, state.convention, state.angles, state.unit, state.units,
+      state.lengths.map(({ name }) => name), state.ends, this.asked, this.saving]);
+    if (shape !== this.shape) this.build();
+    this.shape = shape;
+    this.patch();
+  }
+
+  build() {
+    const active = this.element.contains(document.activeElement) ? document.activeElement : null;
+    const at = this.next || active?.dataset.at, half = active?.committed === undefined ||
+      active.value === active.committed ? null : active.value;
+    this.told = {};
+    this.building = true;                           // a cell that goes is not a cell that is left
+    this.element.replaceChildren(this.bar(), ...this.question(), this.table(), this.named(),
+                                 ...this.ends(), this.foot(), ...this.store());
+    this.building = false;
+    const found = at && this.element.querySelector(`[data-at="${CSS.escape(at)}"]`);
+    if (found) {
+      found.focus({ preventScroll: true });
+      if (half !== null && !this.next) found.value = half;
+      else if (this.next && found.select) found.select();
+      this.next = "";
+    }
+  }
+
+  patch() {
+    const { state } = this;
+    state.rows.forEach((row) => this.columns.forEach((column) => {
+      this.cell(`${row.key} ${column}`, row.cells[column]);
+    }));
+    state.lengths.forEach((length, k) => {
+      this.cell(`length ${k}`, length);
+      this.cell(`name ${k}`, { text: length.name, error: "" });
+    });
+    for (const line of this.element.querySelectorAll(".kl-reason")) {
+      const wrong = JSON.parse(line.dataset.of).map((at) => [at, this.told[at]])
+        .filter(([, { error }]) => error);
+      line.hidden = !wrong.length;
+      line.querySelector("[id]").replaceChildren(...wrong.map(([at, { error }]) =>
+        make("div", {}, make("b", {}, `${this.label(at)} `), error)));
+    }
+    const find = (name) => this.element.querySelector(`[data-at="${name}"]`);
+    find("Undo").disabled = !state.undo;
+    find("Redo").disabled = !state.redo;
+    for (const [panel, , title] of PANELS) find(title).setAttribute("aria-pressed", state.open === panel);
+    const wrong = state.wrong && `${state.wrong === 1 ? "One cell is" : `${state.wrong} cells are`}`
+      + " wrong. The arm below is the last one that could be read.";
+    const remark = this.element.querySelector(".kl-said"), text = state.said || wrong || "";
+    if (remark.textContent !== text) remark.textContent = text;
+    remark.classList.toggle("kl-warns", Boolean(text));
+    this.fill();
+  }
+
+  /** A cell's text, mark and reading; its text only where Python changed it. */
+  cell(at, { text, error, reads }) {
+    const input = this.element.querySelector(`[data-at="${at}"]`), before = this.told[at];
+    this.told[at] = { text, error, reads };
+    if (before?.text !== text && input.committed !== text) {
+      if (input.value === input.committed || input !== document.activeElement) input.value = text;
+      input.committed = text;
+    }
+    input.setAttribute("aria-invalid", Boolean(error));
+    if (error) input.setAttribute("aria-describedby", input.dataset.reason);
+    else input.removeAttribute("aria-describedby");
+    input.title = error || (reads ? `${text} = ${reads}` : "");
+    const hint = input.nextElementSibling;
+    if (hint?.classList.contains("kl-reads")) hint.textContent = reads ? `= ${reads}` : "";
+  }
+
+  label(at) {
+    const [key, column] = at.split(" "), { rows, lengths } = this.state;
+    if (key === "length") return `${lengths[column].name}:`;
+    const row = rows.findIndex((one) => String(one.key) === key) + 1;
+    return GREEK[column] ? `${GREEK[column]}${lowered(this.index(column, row))}:` : `${NAMES[column]}:`;
+  }
+
+  /** The index of a parameter in row i: a modified table holds alpha and a of the link before. */
+  index(column, row) {
+    return this.state.convention === "modified" && (column === "alpha" || column === "a") ? row - 1 : row;
+  }
+
+  // ---- parts ----
+
+  bar() {
+    const { state } = this;
+    const conventions = state.conventions.map((name) => [name, TITLES[name]]);
+    return make("div", { class: "kl-toolbar", role: "toolbar", "aria-label": "Table" },
+      make("label", {}, "Convention ", choose("Convention", conventions, state.convention,
+        (value, list) => {
+          list.value = state.convention;
+          this.asked = value === state.convention ? "" : value;
+          this.next = "Read";
+          this.show();
+        })),
+      make("label", {}, "Angles ", choose("Angles", [["deg", "degrees"], ["rad", "radians"]],
+        state.angles, (value) => this.send("in_angles", value))),
+      make("label", {}, "Lengths ", choose("Lengths", state.units.map((unit) => [unit, unit]),
+        state.unit, (value) => this.send("in_unit", value))),
+      make("span", { class: "kl-group" },
+        press("↶ Undo", "Undo", () => this.send("undo")),
+        press("↷ Redo", "Redo", () => this.send("redo"))),
+      press("Limits, home", "Show the limits and the home of each joint", (button) => {
+        this.limits = !this.limits;
+        this.show();
+      }, { "aria-pressed": this.columns.includes("low") }));
+  }
+
+  question() {
+    if (!this.asked || this.asked === this.state.convention) return [];
+    const other = this.asked, answer = (what) => () => {
+      this.asked = "";
+      this.next = "Convention";
+      if (what) this.send(what, other);
+      this.show();
+    };
+    const wrong = this.state.wrong > 0;
+    return [make("div", { class: "kl-ask", role: "group", "aria-label": "Change of convention" },
+      press(`Read the same numbers as ${other}`, "Read", answer("read_as")),
+      press(`Convert to ${other}: the same arm`, "Convert", answer("converted_to"),
+            { disabled: wrong ? "" : null }),
+      press("Cancel", "Cancel", answer("")),
+      ...(wrong ? [make("span", {}, "To convert, correct the marked cells first.")] : []))];
+  }
+
+  table() {
+    const { state, columns } = this;
+    const shift = state.convention === "modified" ? "i−1" : "i";
+    const head = columns.map((column) => make("th", { scope: "col", title: NAMES[column] },
+      ...(GREEK[column] ? [GREEK[column], make("sub", {},
+        column === "a" || column === "alpha" ? shift : "i"), ` (${state.rows[0].cells[column].unit})`]
+        : [NAMES[column]])));
+    return make("table", { class: "kl-dh", "aria-label": "DH table" },
+      make("thead", {}, make("tr", {}, make("th", { scope: "col" }, "i"),
+        make("th", { scope: "col" }, "joint"), ...head, make("th", { "aria-label": "Row" }))),
+      make("tbody", {}, ...state.rows.flatMap((row, k) => this.row(row, k + 1))));
+  }
+
+  row(row, i) {
+    const reason = `kl-reason-${this.id}-${row.key}`, last = this.state.rows.length;
+    const kinds = [["revolute", "revolute"], ["prismatic", "prismatic"]];
+    const cells = this.columns.map((column) => {
+      const star = column === row.variable, letter = GREEK[column];
+      const name = `${letter ? `${letter}${lowered(this.index(column, i))}` : `row ${i}`}, ` +
+        `${star ? `offset of the joint variable` : NAMES[column]}, row ${i}, ${row.cells[column].unit}`;
+      const input = typed(`${row.key} ${column}`, name, row.cells[column].text,
+        (text) => this.send("with_cell", this.place(row.key), column, text));
+      input.dataset.reason = reason;
+      if (LIMITS.includes(column)) input.placeholder = column === "home" ? "0" : "none";
+      return make("td", { class: star ? "kl-starred" : "" },
+        ...(star ? [make("span", { class: "kl-star", title: "joint variable; its offset in the cell" },
+          `${letter}${lowered(i)}*`, make("span", { class: "kl-plus" }, " +"))] : []),
+        input, make("span", { class: "kl-reads" }));
+    });
+    const tools = make("td", { class: "kl-tools" },
+      press("↑", `Move row ${i} up (Alt+↑)`, () => this.move(row.key, -1),
+            { tabindex: "-1", disabled: i === 1 ? "" : null }),
+      press("↓", `Move row ${i} down (Alt+↓)`, () => this.move(row.key, 1),
+            { tabindex: "-1", disabled: i === last ? "" : null }),
+      press("✕", `Remove row ${i} (Alt+Delete)`, () => this.remove(row.key),
+            { tabindex: "-1", disabled: last === 1 ? "" : null }));
+    return [
+      make("tr", {}, make("th", { scope: "row", title: row.name || `joint ${i}` }, String(i)),
+        make("td", {}, choose(`Type of joint ${i}`, kinds, row.kind,
+          (kind) => this.send("with_kind", this.place(row.key), kind))), ...cells, tools),
+      make("tr", { class: "kl-reason", hidden: "",
+                   "data-of": JSON.stringify(this.columns.map((column) => `${row.key} ${column}`)) },
+        make("td", {}), make("td", { colspan: this.columns.length + 2, id: reason, role: "alert" }))];
+  }
+
+  named() {
+    const { lengths, unit } = this.state;
+    const items = lengths.map(({ name, text }, k) => {
+      const both = () => [`name ${k}`, `length ${k}`].map((at) =>
+        this.element.querySelector(`[data-at="${at}"]`).value);
+      const change = () => this.send("with_length", k + 1, ...both());
+      const inputs = [typed(`name ${k}`, `Name of length ${k + 1}`, name, change),
+                      typed(`length ${k}`, `Length ${name}, ${unit}`, text, change)];
+      inputs[0].classList.add("kl-name");
+      inputs[1].dataset.reason = `kl-reason-${this.id}-lengths`;
+      return make("span", { class: "kl-length" }, inputs[0], " = ", inputs[1], ` ${unit} `,
+        press("✕", `Remove the length ${name}`, () => this.send("without_length", k + 1)));
+    });
+    const taken = new Set(lengths.map(({ name }) => name));
+    const free = Array.from({ length: 30 }, (_, k) => `l${k + 1}`).find((name) => !taken.has(name));
+    this.more = () => {
+      this.next = `name ${lengths.length}`;
+      this.send("with_length", lengths.length + 1, free, "0");
+    };
+    return make("div", { class: "kl-lengths" }, ...items,
+      make("div", { class: "kl-reason", hidden: "",
+                    "data-of": JSON.stringify(lengths.map((_, k) => `length ${k}`)) },
+        make("div", { id: `kl-reason-${this.id}-lengths`, role: "alert" })));
+  }
+
+  ends() {
+    return Object.entries(this.state.ends).filter(([, text]) => text).map(([end, text]) =>
+      make("div", { class: "kl-end" }, `The ${end} frame is ${text}. `,
+        press("✕", `Leave out the ${end} frame`, () => this.send("without_end", end))));
+  }
+
+  foot() {
+    const other = this.state.conventions.find((name) => name !== this.state.convention);
+    const panels = PANELS.map(([panel, text, title]) => press(text || `Compare with ${other}`, title,
+      () => this.send("open", this.state.open === panel ? "" : panel), { "aria-pressed": "false" }));
+    return make("div", { class: "kl-foot" },
+      make("div", { class: "kl-toolbar", role: "toolbar", "aria-label": "Add and show" },
+        make("span", { class: "kl-group" },
+          press("+ Joint", "Add a joint below the last", () => {
+            this.after = this.state.rows.at(-1).key;
+            this.send("with_row");
+          }),
+          press("+ Named length", "Add a length that cells may name, such as -d2",
+                () => this.more())),
+        make("span", { class: "kl-group" }, ...panels),
+        press("Save, load", "Save or load the table as CSV or as kinlab code", () => {
+          this.saving = this.saving ? "" : "csv";
+          this.show();
+        }, { "aria-pressed": Boolean(this.saving), "aria-expanded": Boolean(this.saving) })),
+      make("div", { class: "kl-said", role: "status" }));
+  }
+
+  // ---- saving and loading ----
+
+  store() {
+    if (!this.saving) return [];
+    const format = choose("Format", [["csv", "CSV"], ["code", "kinlab code"]], this.saving, (value) => {
+      this.saving = value;
+      this.show();
+    });
+    const text = make("textarea", { "aria-label": "The table as text", rows: "9", spellcheck: "false",
+                                    "data-at": "text" });
+    const file = make("input", { type: "file", accept: ".csv,.py,.txt", "aria-label": "Open a file" });
+    file.addEventListener("change", async () => {
+      if (file.files[0]) this.send("load", (await file.files[0].text()).slice(0, MOST));
+    });
+    return [make("div", { class: "kl-store" }, text,
+      make("div", { class: "kl-toolbar" }, make("label", {}, "as ", format),
+        press("Load this text", "Load the text above", () => this.send("load", text.value)),
+        press("Download", "Download the text above as a file", () => this.download(text.value)),
+        make("label", {}, "Open a file ", file)))];
+  }
+
+  /** The table as text, unless the student has changed that text. */
+  fill() {
+    const area = this.element.querySelector("textarea"), now = this.state[this.saving];
+    if (!area) return;
+    if (area.committed === undefined || area.value === area.committed) area.value = area.committed = now;
+    area.placeholder = this.saving === "code" ? "Correct the marked cells, or paste code here." : "";
+  }
+
+  download(text) {
+    const name = this.saving === "code" ? "dh_table.py" : "dh_table.csv";
+    const link = make("a", { download: name, href: URL.createObjectURL(new Blob([text])) });
+    link.click();
+    setTimeout(() => URL.revokeObjectURL(link.href), 1000);
+  }
+
+  // ---- rows, by mouse and by keys ----
+
+  place(key) { return this.state.rows.findIndex((row) => row.key === key) + 1; }
+
+  move(key, by) {
+    const from = this.place(key), to = from + by;
+    if (to >= 1 && to <= this.state.rows.length) this.send("with_row_moved", from, to);
+  }
+
+  remove(key) {
+    const { rows } = this.state, from = this.place(key);
+    if (rows.length === 1) return;
+    const [, column] = (document.activeElement?.dataset.at ?? "").split(" ");
+    const beside = rows[from] ?? rows[from - 2];
+    this.next = `${beside.key} ${this.columns.includes(column) ? column : this.columns[0]}`;
+    this.send("without_row", from);
+  }
+
+  key(event) {
+    const [key, column] = (event.target.dataset?.at ?? "").split(" ");
+    const at = this.state.rows.findIndex((row) => String(row.key) === key);
+    if (at < 0 || !this.columns.includes(column) || event.ctrlKey || event.metaKey) return;
+    const row = this.state.rows[at], step = { ArrowUp: -1, ArrowDown: 1 }[event.key];
+    if (step && event.altKey) this.move(row.key, step);
+    else if (event.altKey && event.key === "Delete") this.remove(row.key);
+    else if (step && !event.shiftKey) {
+      const beside = this.state.rows[at + step];
+      const input = beside && this.element.querySelector(`[data-at="${beside.key} ${column}"]`);
+      input?.focus();
+      input?.select();
+    } else return;
+    event.preventDefault();
+  }
+}
+
+function render({ model, el }) {
+  const editor = new Editor(model, el);
+  const show = () => {
+    const last = editor.state.rows.at(-1);
+    if (editor.after !== null && last.key !== editor.after) {   // the row asked for has come
+      editor.next = `${last.key} ${editor.state.columns[0]}`;
+      editor.after = null;
+    }
+    editor.show();
+  };
+  editor.show();
+  model.on("change:state", show);
+  return () => model.off("change:state", show);
+}
+
+export default { render };

@@ -1,0 +1,1 @@
+"""The notebooks run, and the sites built from them."""

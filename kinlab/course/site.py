@@ -1,0 +1,241 @@
+"""The course as a site: pages in which every view moves, without Jupyter and without a network.
+
+    python -m kinlab.course.site OUT
+
+writes a page for each lesson, a course map, and the script and the style that they share, into
+the folder OUT, where older files of these names are replaced. Open OUT/index.html from the disk, or
+put the folder on any web server. Texts and results are those saved in the notebooks; their code
+runs once more, for the views.
+"""
+from __future__ import annotations
+
+import argparse
+import ast
+import io
+import re
+import sys
+from collections.abc import Sequence
+from contextlib import redirect_stdout
+from copy import deepcopy
+from dataclasses import dataclass
+from html import escape
+from pathlib import Path
+from typing import Any
+
+import nbformat
+import numpy as np
+from nbconvert import TemplateExporter
+from nbconvert.filters.highlight import Highlight2HTML
+from nbconvert.filters.markdown_mistune import IPythonRenderer, MarkdownWithMath
+from pygments.formatters import HtmlFormatter
+
+from ..browser import page
+from ..views.live import LiveView
+from .notebooks import FOLDER
+
+_HERE = Path(__file__).parent
+_WELCOME = """# Forward kinematics of robot arms
+
+**Drag a joint, and the arm, its frames and its numbers answer together.**
+
+Everything moves in these pages. To run the code and to have your answers checked, open the
+notebooks in JupyterLab.
+
+| lesson | question | |
+|:--|:--|:--|
+"""
+
+
+@dataclass(frozen=True)
+class Lesson:
+    """One notebook and what the site says of it."""
+
+    path: Path
+    notebook: nbformat.NotebookNode
+    name: str
+
+    @classmethod
+    def read(cls, path: Path, course: str) -> Lesson:
+        """A lesson, by the name that the text of the course's map gives it: '01 Translation'."""
+        named = re.search(rf"\[([^][]+)\]\({re.escape(path.name)}\)", course)
+        number, _, words = path.stem.replace("_", " ").partition(" ")
+        return cls(path, nbformat.read(path, as_version=4),
+                   named[1] if named else f"{number} {words.capitalize()}")
+
+    @property
+    def page(self) -> str:
+        return f"{self.path.stem}.html"
+
+    @property
+    def opening(self) -> str:
+        return self.notebook.cells[0].source
+
+    @property
+    def title(self) -> str:
+        return re.search(r"^# (.+)$", self.opening, re.MULTILINE)[1]
+
+    @property
+    def minutes(self) -> str:
+        return re.search(r"^Time: (\d+ minutes)", self.opening, re.MULTILINE)[1]
+
+
+class _Renderer(IPythonRenderer):
+    """Markdown as HTML: formulas as MathML, links to notebooks as links to their pages."""
+
+    def inline_math(self, body: str) -> str:
+        return page.mathematics(body)
+
+    def block_math(self, body: str) -> str:
+        return f'<span class="kl-mathematics">{page.mathematics(body, display=True)}</span>'
+
+    def heading(self, text: str, level: int, **attributes: Any) -> str:
+        name = re.sub(r"\W+", "-", re.sub(r"<[^>]+>|&\w+;", "", text)).strip("-").lower()
+        return (f'<h{level} id="{name}">{text}<a class="anchor-link" href="#{name}" '
+                f'aria-label="This section">¶</a></h{level}>\n')
+
+    def link(self, text: str, url: str, title: str | None = None) -> str:
+        return super().link(text, re.sub(r"\.ipynb(?=$|#)", ".html", url), title)
+
+    def paragraph(self, text: str) -> str:
+        return super().paragraph(_tied(text))
+
+    def list_item(self, text: str) -> str:
+        return super().list_item(_tied(text))
+
+    def table(self, text: str) -> str:
+        return f'<div class="kl-table"><table>{_tied(text)}</table></div>'
+
+
+def exporter() -> TemplateExporter:
+    """nbconvert's, with a template of our own, and with formulas as MathML."""
+    return TemplateExporter(
+        raw_template=(_HERE / "site.html.j2").read_text(encoding="utf-8"),
+        filters={"markdown2html": lambda source: MarkdownWithMath(_Renderer(escape=False))(source),
+                 "highlight_code": Highlight2HTML()})
+
+
+def _tied(text: str) -> str:
+    """The text with no comma or full stop parted from the formula before it."""
+    return re.sub(r"(<math\b(?:(?!<math).)*?</math>[,.;:?!)]+)", r'<span class="kl-tied">\1</span>',
+                  text, flags=re.DOTALL)
+
+
+def build(folder: Path, lessons: Sequence[Path] | None = None, progress: bool = False) -> None:
+    """Write the site of these notebooks (all lessons, if left out) into a folder.
+
+    Raises
+    ------
+    ValueError
+        If the folder cannot be made.
+    """
+    _make(folder)
+    paths = lessons or sorted(FOLDER.glob("*.ipynb"))
+    names = "\n".join(cell.source for cell in nbformat.read(paths[0], as_version=4).cells)
+    course = [Lesson.read(path, names) for path in paths]
+    export, around = exporter(), [None, *course, None]
+    for k, lesson in enumerate(course):
+        if progress:
+            print(f"\r  {k + 1} of {len(course)}  {lesson.path.stem:<32}", end="", file=sys.stderr)
+        _write(export, folder / lesson.page, still(lesson.notebook), title=lesson.title,
+               file=f"notebooks/{lesson.path.name}", previous=around[k], next=around[k + 2],
+               map=True)
+    _write(export, folder / "index.html", course_map(course), title="Course map",
+           next=course[0])
+    (folder / "kinlab.js").write_text(page.classic_script(), encoding="utf-8")
+    (folder / "kinlab.css").write_text(style(), encoding="utf-8")
+    if progress:
+        print(f"\r  {len(course)} lessons: open {folder / 'index.html'}{' ' * 20}", file=sys.stderr)
+
+
+def still(notebook: nbformat.NotebookNode) -> nbformat.NotebookNode:
+    """The notebook with every output as HTML, and every view as a piece that moves by itself."""
+    made = deepcopy(notebook)
+    views = moving(made)
+    for k, cell in enumerate(made.cells):
+        for output in cell.get("outputs", ()):
+            output.html = _output(output, views.get(k))
+    return made
+
+
+def moving(notebook: nbformat.NotebookNode) -> dict[int, str]:
+    """Each view of a notebook as HTML, as it stands when its cell has run, by the cell's number."""
+    names, found = {"__name__": "__main__"}, {}
+    pictures = [k for k, cell in enumerate(notebook.cells) if _shows_a_view(cell)]
+    with np.printoptions(), redirect_stdout(io.StringIO()):
+        for k, cell in enumerate(notebook.cells[:max(pictures, default=-1) + 1]):
+            if cell.cell_type == "code":
+                result = _run(cell.source, names)
+                if isinstance(result, LiveView):
+                    found[k] = result.html()
+    return found
+
+
+def _shows_a_view(cell: nbformat.NotebookNode) -> bool:
+    saved = [output.get("metadata", {}).get("image/png", {}) for output in cell.get("outputs", ())]
+    return any(metadata.get("alt", "").startswith(LiveView.ALT) for metadata in saved)
+
+
+def course_map(course: Sequence[Lesson]) -> nbformat.NotebookNode:
+    """The page that leads to all lessons, as a notebook."""
+    rows = "".join(f"| [{lesson.name}]({lesson.page}) | {lesson.title} | {lesson.minutes} |\n"
+                   for lesson in course)
+    return nbformat.v4.new_notebook(cells=[nbformat.v4.new_markdown_cell(_WELCOME + rows)])
+
+
+def style() -> str:
+    """The style sheet of all pages."""
+    light, dark = (HtmlFormatter(style=name).get_style_defs(".highlight")
+                   for name in ("default", "github-dark"))
+    own = (_HERE / "site.css").read_text(encoding="utf-8")
+    return (f"{page.style()}\n{light}\n@media screen and (prefers-color-scheme: dark) {{\n{dark}\n"
+            f"}}\n{own}")
+
+
+def _run(source: str, names: dict) -> Any:
+    """Run a cell; the value of its last line, if that is an expression."""
+    body = ast.parse(source).body
+    last = body.pop() if body and isinstance(body[-1], ast.Expr) else None
+    exec(compile(ast.Module(body, []), "<cell>", "exec"), names)
+    return last and eval(compile(ast.Expression(last.value), "<cell>", "eval"), names)
+
+
+def _output(output: nbformat.NotebookNode, view: str | None) -> str:
+    """An output as HTML: the moving view, else the picture, the formula, the table, the text."""
+    data = output.get("data", {"text/plain": output.get("text", "")})
+    if "image/png" in data:
+        alt = output.get("metadata", {}).get("image/png", {}).get("alt", "")
+        return view or (f'<img alt="{escape(alt)}" '
+                        f'src="data:image/png;base64,{data["image/png"].strip()}">')
+    if "text/latex" in data:
+        return f'<div class="kl-mathematics">{page.typeset(data["text/latex"])}</div>'
+    return data.get("text/html") or f'<pre>{escape(data.get("text/plain", ""))}</pre>'
+
+
+def _write(export: TemplateExporter, path: Path, notebook: nbformat.NotebookNode,
+           **site: Any) -> None:
+    text, _ = export.from_notebook_node(notebook, resources={"site": site})
+    path.write_text(text, encoding="utf-8")
+
+
+def _make(folder: Path) -> None:
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise ValueError(f"OUT: cannot make the folder {str(folder)!r} ({error.strerror}); "
+                         "choose another name") from None
+
+
+def main(arguments: list[str] | None = None) -> int:
+    """Run the command."""
+    parser = argparse.ArgumentParser(
+        prog="python -m kinlab.course.site", description="Turn the lessons into pages that move.")
+    parser.add_argument("out", metavar="OUT", type=Path, help="the folder for the pages")
+    try:
+        build(parser.parse_args(arguments).out, progress=True)
+    except ValueError as error:
+        parser.error(str(error))
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,96 @@
+"""Pictures of scenes, drawn by matplotlib in a process of its own.
+
+matplotlib takes 30 MB, and each figure leaves a megabyte until Python next tidies up. A kernel
+needs neither between two pictures, and a class of thirty has thirty kernels. So the drawing is
+done beside it, by a process that ends once it has waited IDLE seconds for another picture.
+"""
+from __future__ import annotations
+
+import os
+import pickle
+import signal
+import subprocess
+import sys
+from collections.abc import Sequence
+from threading import Lock, Timer
+
+from .scene import Scene
+
+IDLE = 20.0  # seconds
+
+_lock = Lock()
+_hand: subprocess.Popen | None = None
+
+
+def svg(scene: Scene, q: Sequence[float], preset: str, show: Sequence[str]) -> str:
+    """The scene at joint values `q` as SVG text; see `draw.svg`."""
+    return _ask("svg", scene, q, preset, show)
+
+
+def png(scene: Scene, q: Sequence[float], preset: str, show: Sequence[str]) -> bytes:
+    """The scene at joint values `q` as a PNG picture; see `draw.png`."""
+    return _ask("png", scene, q, preset, show)
+
+
+def _draw(kind: str, *job):
+    from . import figure
+
+    return getattr(figure, kind)(figure.figure(*job))
+
+
+def _ask(*job):
+    """What the drawing process answers; where none can run, the picture is drawn here."""
+    with _lock:
+        for _ in range(2):  # it may have ended just now, having waited long enough
+            try:
+                answer = _exchange(job)
+            except (OSError, EOFError):
+                continue
+            if isinstance(answer, Exception):
+                raise answer
+            return answer
+    return _draw(*job)
+
+
+def _exchange(job: tuple):
+    global _hand
+    if _hand is None or _hand.poll() is not None:
+        _hand = _start()
+    try:
+        pickle.dump(job, _hand.stdin)
+        _hand.stdin.flush()
+        return pickle.load(_hand.stdout)
+    except BaseException:  # an interrupt, too: half an answer must not be read as the next one
+        _hand.kill()
+        _hand.wait()
+        raise
+
+
+def _start() -> subprocess.Popen:
+    code = f"import sys; sys.path[:] = {sys.path!r}; from {__name__} import work; work({IDLE})"
+    return subprocess.Popen([sys.executable, "-c", code], stdin=subprocess.PIPE,
+                            stdout=subprocess.PIPE)
+
+
+def work(idle: float) -> None:
+    """Answer jobs from standard input until it closes or none comes for `idle` seconds."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # it is the kernel that is interrupted
+    answers, sys.stdout = sys.stdout.buffer, sys.stderr
+    while True:
+        waiting = Timer(idle, os._exit, [0])
+        waiting.daemon = True
+        waiting.start()
+        try:
+            job = pickle.load(sys.stdin.buffer)
+        except EOFError:
+            return
+        waiting.cancel()
+        pickle.dump(_answer(job), answers)
+        answers.flush()
+
+
+def _answer(job: tuple):
+    try:
+        return _draw(*job)
+    except Exception as error:
+        return error

@@ -1,0 +1,1 @@
+"""Joint values that bring the tool to a target."""

@@ -1,0 +1,182 @@
+"""How far the tool is from its target, and how that changes with the joints, at many places.
+
+Motions begin at the inverse of the target's pose, so the tool's frame at their end *is* the
+error, in the target's own axes. Lengths are measured in the arm's reach, so that they compare
+with radians. Arrays keep their last axis for the places, called m.
+"""
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+from itertools import chain
+
+import numpy as np
+
+from ..arms.arm import REVOLUTE, Arm
+from ..arms.kinematics import joint_limits, joint_ranges, reach, tool_and_joints, typical_length
+from ..arms.motions import Frame
+
+AIM = 0.99  # of the tolerance, so that rounding does not undo what was reached
+
+
+@dataclass(frozen=True)
+class Task:
+    """What all starts have in common: the arm, its limits, and what counts as reached."""
+
+    arm: Arm
+    weights: np.ndarray
+    tolerance: float
+    keep_limits: bool = True
+
+    @cached_property
+    def motions(self) -> tuple:
+        return tuple(motion for motion in chain(*self.arm.chain) if not motion.idle)
+
+    @cached_property
+    def rows(self) -> slice | np.ndarray:
+        """The directions that count; all of them without a copy."""
+        return slice(None) if self.weights.all() else np.flatnonzero(self.weights)
+
+    @cached_property
+    def scale(self) -> np.ndarray:
+        lengths = np.repeat([typical_length(self.arm), 1.0], 3)
+        return (self.weights / lengths)[self.rows, None]
+
+    @cached_property
+    def limits(self) -> tuple[np.ndarray, np.ndarray]:
+        """Lowest and highest joint values that are allowed, shape (n, 1)."""
+        free = np.full(self.arm.n, np.inf)
+        low, high = joint_limits(self.arm) if self.keep_limits else (-free, free)
+        return low[:, None], high[:, None]
+
+    @cached_property
+    def walls(self) -> tuple[np.ndarray, np.ndarray]:
+        """Limits that hold a descent back: not those with room for a whole turn."""
+        low, high = self.limits
+        free = self.revolute & (high - low >= 2 * np.pi - 1e-9)
+        return np.where(free, -np.inf, low), np.where(free, np.inf, high)
+
+    @cached_property
+    def revolute(self) -> np.ndarray:
+        """Which joints turn, shape (n, 1)."""
+        return np.array([[link.kind == REVOLUTE] for link in self.arm.links])
+
+    def starts(self, rng: np.random.Generator, count: int) -> np.ndarray:
+        """Random joint values within the limits, shape (n, count)."""
+        low, high = joint_ranges(self.arm, typical_length(self.arm))
+        return rng.uniform(low[:, None], high[:, None], (self.arm.n, count))
+
+    @cached_property
+    def reach(self) -> float:
+        """Farther from the base no target is reached; infinite if that cannot be said."""
+        bounded = self.weights[:3].all() and (self.keep_limits or self.revolute.all())
+        return reach(self.arm) if bounded else np.inf
+
+    @cached_property
+    def middle(self) -> np.ndarray:
+        """The middle of the limits, and 0 where there are none."""
+        low, high = self.limits
+        bounded = np.isfinite(high)
+        return 0.5 * (np.where(bounded, low, 0) + np.where(bounded, high, 0))
+
+    def allowed(self, q: np.ndarray) -> np.ndarray:
+        """The nearest joint values between the walls; angles are near across a whole turn too."""
+        low, high = self.walls
+        return np.clip(q - np.isfinite(high) * self._turns(q - self.middle), low, high)
+
+    def settled(self, q: np.ndarray, near: np.ndarray) -> np.ndarray:
+        """The same pose, whole turns taken off: within the limits, or else nearest to `near`."""
+        low, high = self.limits
+        bounded = np.isfinite(high)
+        outside = ~bounded | (q < low) | (q > high)
+        return np.clip(q - outside * self._turns(q - np.where(bounded, self.middle, near)),
+                       low, high)
+
+    def _turns(self, q: np.ndarray) -> np.ndarray:
+        """The whole turns in angles; none in lengths."""
+        return self.revolute * (2 * np.pi) * np.round(q / (2 * np.pi))
+
+    def errors(self, view: np.ndarray, q: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Jacobian (n, rows, m) and weighted error (rows, m) at joint values (n, m).
+
+        `view`, shape (4, 3, m), is the room as the targets see it: its axes and its origin.
+        """
+        tool, joints = tool_and_joints(self.motions, q, _vectors(view))
+        J, e = np.zeros((self.arm.n, 6, q.shape[1])), np.empty((6, q.shape[1]))
+        (e[:3],), z = tool.origin, np.array([axis for _, (axis,), _ in joints])
+        lever = e[:3] - np.array([point for *_, (point,) in joints])
+        J[:, :3] = np.where(self.revolute[:, None], _cross(z, lever), z)
+        J[:, 3:] = self.revolute[:, None] * z
+        if self.turns:
+            e[3:] = rotation_vectors(np.array([axis for (axis,) in tool.settled()]))
+        if self.lopsided:
+            J[:, 3:] = _rates(e[3:], J[:, 3:])
+        return J[:, self.rows] * self.scale, e[self.rows] * self.scale
+
+    @cached_property
+    def turns(self) -> bool:
+        return bool(self.weights[3:].any())
+
+    @cached_property
+    def lopsided(self) -> bool:
+        """Rotations that count unequally: the axis of the error is then not free to choose."""
+        return len(set(self.weights[3:])) > 1
+
+    def reached(self, e: np.ndarray) -> np.ndarray:
+        """Whether weighted errors (rows, m) are within the tolerance."""
+        squares = np.square(e / self.weights[self.rows, None])
+        places = np.count_nonzero(self.weights[:3])
+        most = np.square(AIM * self.tolerance)
+        return (squares[:places].sum(axis=0) <= most) & (squares[places:].sum(axis=0) <= most)
+
+
+def seen_from(targets: np.ndarray) -> np.ndarray:
+    """Axes and origin of the room, seen from targets (m, 4, 4): shape (4, 3, m)."""
+    R, o = targets[:, :3, :3], targets[:, :3, 3]
+    origin = -np.einsum("mji,mj->mi", R, o)
+    return np.ascontiguousarray(np.concatenate([R, origin[:, None]], axis=1).transpose(1, 2, 0))
+
+
+def rotation_vectors(R: np.ndarray) -> np.ndarray:
+    """Axis times angle (3, m) of rotations given by axes (3, 3, m); also where it nears pi."""
+    v = 0.5 * np.stack([R[1, 2] - R[2, 1], R[2, 0] - R[0, 2], R[0, 1] - R[1, 0]])
+    cos, sin = 0.5 * (R[0, 0] + R[1, 1] + R[2, 2] - 1), np.sqrt(np.sum(v * v, axis=0))
+    angle = np.arctan2(sin, cos)
+    vectors = v * np.where(sin > 1e-9, angle / np.maximum(sin, 1e-9), 1)
+    half = cos < -0.9999  # here v fades, but the symmetric part of R shows the axis
+    if half.any():
+        vectors[:, half] = angle[half] * _axes_of_half_turns(R[..., half], v[:, half])
+    return vectors
+
+
+def _axes_of_half_turns(R: np.ndarray, v: np.ndarray) -> np.ndarray:
+    """Unit axes of rotations by nearly pi; `v` is axis times sine and tells the sign."""
+    B = 0.5 * (R + np.swapaxes(R, 0, 1))
+    B -= np.eye(3)[..., None] * 0.5 * (np.trace(R) - 1)  # left is a multiple of axis axis^T
+    longest = np.argmax(np.einsum("iim->im", B), axis=0)
+    axes = B[:, longest, np.arange(B.shape[-1])]
+    sign = np.where(np.sum(axes * v, axis=0) < 0, -1, 1)
+    return sign * axes / np.sqrt(np.sum(axes * axes, axis=0))
+
+
+def _rates(v: np.ndarray, w: np.ndarray) -> np.ndarray:
+    """How fast rotation vectors v (3, m) change at angular velocities w (n, 3, m), exactly.
+
+    v' = w - (v x w) / 2 + b v x (v x w), Bullo and Murray (1995).
+    """
+    angle = np.maximum(np.sqrt(np.sum(v * v, axis=0)), 1e-4)
+    b = (1 - 0.5 * angle / np.tan(0.5 * angle)) / angle ** 2
+    first = _cross(v, w)
+    return w - 0.5 * first + b * _cross(v, first)
+
+
+def _cross(u: np.ndarray, v: np.ndarray) -> np.ndarray:
+    """Cross products of vectors (..., 3, m)."""
+    return np.stack([u[..., i, :] * v[..., j, :] - u[..., j, :] * v[..., i, :]
+                     for i, j in ((1, 2), (2, 0), (0, 1))], axis=-2)
+
+
+def _vectors(view: np.ndarray) -> Frame:
+    """A frame whose axes and origin have one component: a whole vector, shape (3, m)."""
+    x, y, z, origin = view
+    return Frame(((x,), (y,), (z,)), (origin,))

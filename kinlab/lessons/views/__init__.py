@@ -1,0 +1,1 @@
+"""Views that a lesson has of its own, a module each."""

@@ -1,0 +1,165 @@
+"""Views of lesson 03: frames that slide and turn, and the arrows between them."""
+from __future__ import annotations
+
+from math import pi, radians
+
+from ...arms.motions import ROTATE, TRANSLATE, X, Y, Z
+from ...drawing.scene import Point, at, subscript
+from ...drawing.sketch import Sketch
+from ...views.live import Knob, LiveView
+
+ROOM: Point = (0, 0.0, 0.0, 0.0)
+_RAISED = str.maketrans("0123456789", "⁰¹²³⁴⁵⁶⁷⁸⁹")
+
+
+def combined() -> LiveView:
+    """A frame that slides and turns, with a point that is fixed in it."""
+    sketch, frame, half = _sliding_and_turning("Translation and rotation together", (1.5, -1.0))
+    c = sketch.point("c", frame, (1.5, 1.0))
+    sketch.components("c", c, frame)
+    sketch.arrow("c0", ROOM, c, "z")
+    sketch.label("c⁰", at(sketch.move(ROTATE, Z, 0, 2, half), (0.65, 0.75, 0))[0], "z")
+    sketch.arrow("rotated", _origin(frame), c)
+    sketch.label("R₁⁰ c¹", at(frame, (1.05, 0.3, 0))[0])
+    sketch.reading("c1", "c¹ = {}", sketch.vector(frame, c, frame))
+    sketch.reading("o", "o₁⁰ = {}", sketch.vector(0, frame))
+    sketch.reading("rotated", "R₁⁰ c¹ = {}", sketch.vector(frame, c))
+    sketch.reading("c0", "c⁰ = o₁⁰ + R₁⁰ c¹ = {}", sketch.vector(0, c))
+    return sketch.view(panels=_table("H₁⁰", "1", "xy"))
+
+
+def seen_back() -> LiveView:
+    """A point that stands still, seen from a frame that slides and turns."""
+    sketch, frame, half = _sliding_and_turning("A fixed point, seen from frame 1", (-1.2, -1.0))
+    c = sketch.point("c", 0, (1.0, 2.0))
+    sketch.arrow("c0", ROOM, c, "z")
+    sketch.label("c⁰", (0, 0.8, 1.0, 0.0), "z")
+    sketch.arrow("difference", _origin(frame), c)
+    sketch.label("c⁰ − o₁⁰", at(half, (0.2, 1.3, 0))[0])
+    sketch.reading("difference", "c⁰ − o₁⁰ = {}", sketch.vector(frame, c))
+    sketch.reading("c1", "c¹ = (R₁⁰)ᵀ (c⁰ − o₁⁰) = {}", sketch.vector(frame, c, frame))
+    sketch.reading("o0", "o₀¹ = −(R₁⁰)ᵀ o₁⁰ = {}", sketch.vector(frame, 0, frame))
+    return sketch.view(panels=_table("H₁⁰", "1", "xy"))
+
+
+def chain(n: int = 3) -> LiveView:
+    """A chain of n frames: every term of the successive expansion is one arrow."""
+    sketch, offset = Sketch(f"A chain of {n} frames", 1.45 * (n + 1)), (1.2, 0.9)
+    knobs = [sketch.knob(Knob.angle(f"theta_{k}", f"θ{subscript(str(k))}",
+                                    home=radians((50, -80, 60, -100, 60, 40)[k - 1])))
+             for k in range(1, n + 1)]
+    frame, turns, length = 0, "", 0.75
+    sketch.axes("0", 0, length)
+    for k, knob in enumerate(knobs, start=1):
+        before = frame
+        frame = sketch.frame(str(k), before, theta=knob, origin=offset, length=length)
+        name = f"o{_indices(k)}"
+        _term(sketch, name, turns, before, _origin(frame))
+        turns += f"R{_indices(k)}"
+    c = sketch.point("c", frame, offset)
+    _term(sketch, f"c{str(n).translate(_RAISED)}", turns, frame, c)
+    sketch.reading("c0", "c⁰ = sum of the rows above = {}", sketch.vector(0, c))
+    return sketch.view()
+
+
+def order() -> LiveView:
+    """The same slide and turn in both orders, each along the frame's own axes."""
+    sketch, knob = _scrubbed("Slide and turn in both orders")
+    a = _motions(sketch, "A", knob, 1.05, (TRANSLATE, 0), (ROTATE, 1))
+    b = _motions(sketch, "B", knob, 1.05, (ROTATE, 0), (TRANSLATE, 1))
+    return _compared(sketch, ("A (slide, turn)", a), ("B (turn, slide)", b))
+
+
+def fixed() -> LiveView:
+    """Slide, then turn: about the frame's own axes and about those of the room."""
+    sketch, knob = _scrubbed("Slide, then turn, about moving and about fixed axes")
+    a = _motions(sketch, "A", knob, 1.05, (TRANSLATE, 0), (ROTATE, 1))
+    f = _motions(sketch, "F", knob, 2.0, (ROTATE, 1), (TRANSLATE, 0))  # the later on the left
+    return _compared(sketch, ("A (own axes)", a), ("F (fixed axes)", f))
+
+
+def spatial() -> LiveView:
+    """A frame in space: it slides along x, y, z, then turns about its z, then about its x."""
+    sketch = Sketch("A frame in space", 3.4, planar=False)
+    slides = [sketch.knob(Knob.length(f"o_{axis}", f"o₁⁰, {axis}", -1.2, 1.2, home))
+              for axis, home in zip("xyz", (1.0, 0.5, 0.8))]
+    theta = sketch.knob(Knob.angle("theta", "θ", home=radians(-30), title="turn about own z"))
+    phi = sketch.knob(Knob.angle("phi", "φ", home=radians(40), title="turn about own x"))
+    sketch.axes("0", 0, 1.0)
+    for axis, knob in zip((X, Y, Z), slides):
+        sketch.move(TRANSLATE, axis, 0, knob)
+    sketch.move(ROTATE, Z, 0, theta)
+    sketch.tip = frame = sketch.move(ROTATE, X, 0, phi)
+    sketch.axes("1", frame, 1.0)
+    c = sketch.point("c", frame, (1.0, 0.6, 0.5))
+    sketch.arrow("o", ROOM, _origin(frame))
+    sketch.arrow("rotated", _origin(frame), c)
+    sketch.reading("c0", "c⁰ = o₁⁰ + R₁⁰ c¹ = {}", sketch.vector(0, c))
+    return sketch.view(panels=_table("H₁⁰", "1", "xyz"))
+
+
+def _sliding_and_turning(name: str, home: tuple[float, float]) -> tuple[Sketch, int, int]:
+    """Frame 1 with its knobs, and a frame half-way to it that does not turn."""
+    sketch = Sketch(name, 4)
+    x, y = (sketch.knob(Knob.length(f"o_{axis}", label, -2, 2, value))
+            for axis, label, value in zip("xy", ("oₓ", "oᵧ"), home))
+    theta = sketch.knob(Knob.angle("theta", "θ", home=radians(30)))
+    sketch.move(TRANSLATE, X, 0, x, gain=0.5)
+    half = sketch.move(TRANSLATE, Y, 0, y, gain=0.5)
+    sketch.axes("0", 0)
+    frame = sketch.frame("1", x=x, y=y, theta=theta)
+    sketch.arrow("o", ROOM, _origin(frame))
+    sketch.label("o₁⁰", at(half, (-0.1, -0.25, 0))[0])
+    sketch.sweep("theta", frame, (0.7, 0, 0), text="θ")
+    return sketch, frame, half
+
+
+def _origin(frame: int) -> Point:
+    return at(frame, (0, 0, 0))[0]
+
+
+def _indices(k: int) -> str:
+    return subscript(str(k)) + str(k - 1).translate(_RAISED)
+
+
+def _term(sketch: Sketch, name: str, turns: str, frame: int, head: Point) -> None:
+    """One arrow of the chain, with its name beside it and its numbers in a row of their own."""
+    sketch.arrow(f"arrow-{name}", _origin(frame), head)
+    sketch.label(name, at(frame, (1.0, 0.42, 0))[0])
+    sketch.reading(name, f"{turns} {name} = {{}}".strip(), sketch.vector(_origin(frame), head))
+
+
+def _scrubbed(name: str) -> tuple[Sketch, int]:
+    sketch = Sketch(name, 3.5)
+    sketch.axes("0", 0)
+    return sketch, sketch.knob(Knob.length("t", "motion", 0, 2, 1.5))
+
+
+def _motions(sketch: Sketch, name: str, knob: int, arc: float,
+             *order: tuple[str, int]) -> int:
+    """A slide by 2 along x and a turn by 60 degrees, each while the knob passes its start.
+
+    Dashed: the way of the origin in the slide, and of the point (arc, 0) in the turn.
+    """
+    frame = 0
+    for kind, start in order:
+        axis, gain = (X, 2.0) if kind == TRANSLATE else (Z, pi / 3)
+        frame = sketch.move(kind, axis, 0, knob, frame, gain=gain, start=start)
+        marked = (0, 0, 0) if kind == TRANSLATE else (arc, 0, 0)
+        sketch.sweep(f"path-{name}-{kind}", frame, marked, "dashed")
+    sketch.axes(name, frame)
+    return frame
+
+
+def _compared(sketch: Sketch, *named: tuple[str, int]) -> LiveView:
+    for words, frame in named:
+        sketch.reading(words[0], f"{words}: origin {{}}, x axis {{}}", sketch.vector(0, frame),
+                       sketch.vector(frame, at(frame, (1, 0, 0))[0]))
+    return sketch.view()
+
+
+def _table(title: str, frame: str, axes: str) -> dict:
+    names = [(letter, f"{letter} axis of frame {frame}") for letter in axes]
+    columns = [{"name": name + subscript(frame), "title": words}
+               for name, words in (*names, ("o", f"origin of frame {frame}"))]
+    return {"pose": {"title": title, "columns": columns, "decimals": 3, "unit": ""}}

@@ -1,0 +1,191 @@
+"""Views of lesson 09: the ring that two links reach, and what joint limits leave of it."""
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import replace
+from math import pi, radians
+
+import numpy as np
+
+from ...arms.motions import ROTATE, TRANSLATE, X, Z
+from ...drawing.scene import TRACE, Point, at
+from ...drawing.sketch import Sketch
+from ...views.live import Knob, LiveView
+
+L1, L2 = 1.0, 0.6  # m, the arm of the lesson
+_ORIGIN = (0, 0.0, 0.0, 0.0)
+# Curves, and the points of a curve about O and about P: as many as make it look round.
+_LINES, _WIDE, _SMALL = (np.linspace(0, 1, count) for count in (9, 41, 29))
+_TRACE = [{"layer": "trace", "label": "Trace", "title": "Path of the tool", "on": False}]
+
+
+def ring_view() -> LiveView:
+    """The two-link arm, its two lengths, and the circles of the stretched and the folded arm."""
+    sketch = Sketch("Two links and the ring they reach", 2.35, unit="m")
+    t1, t2 = (sketch.knob(Knob.angle(f"theta_{k}", f"θ{'₀₁₂'[k]}", home=radians(home)))
+              for k, home in ((1, 35), (2, 60)))
+    l1, l2 = (sketch.knob(Knob.length(f"l_{k}", f"l{'₀₁₂'[k]}", 0.2, 1.05, home, "m"))
+              for k, home in ((1, L1), (2, L2)))
+    for name, gain, style in (("stretched", 1, "z"), ("folded", -1, "x")):
+        _circle(sketch, name, l1, l2, gain, style)
+    first = sketch.move(ROTATE, Z, 0, t1, 0)
+    elbow = sketch.move(TRANSLATE, X, 0, l1)
+    sketch.move(ROTATE, Z, 0, t2)
+    tool = sketch.move(TRANSLATE, X, 0, l2)
+    _arm(sketch, elbow, tool)
+    sketch.line("reach", (_ORIGIN, _origin(tool)))
+    _circle_names(sketch, l1, l2)
+    sketch.reading("p", "tool: p⁰ = {} m", sketch.vector(0, tool))
+    sketch.reading("p_1", "seen along link 1: (l₁ + l₂C₂, l₂S₂) = {} m",
+                   sketch.vector(first, tool, first))
+    return _with_trace(sketch, _sweeps())
+
+
+def limits_view(theta_1: tuple[float, float] = (-20, 130),
+                theta_2: tuple[float, float] = (0, 150)) -> LiveView:
+    """What a two-link arm (1 m and 0.6 m) reaches within its joint limits.
+
+    Curves of constant joint values fill the region. Its edge is made of the curves at the four
+    limits and the one where the arm is as straight as it can be.
+
+    Parameters
+    ----------
+    theta_1, theta_2 : pairs of float
+        Limits to begin with, in degrees: from -180...0 to 0...180, and from -180...50 to
+        60...180.
+    """
+    sketch = Sketch("Two links with joint limits", 1.75, unit="m")
+    sketch.items.clear()  # the curves are the grid
+    ends = ((-180, 0, 0, 180), (-180, 50, 60, 180))
+    limits = [_limits(sketch, k, *pair) for k, pair in enumerate(zip((theta_1, theta_2), ends), 1)]
+    sweeps = [sketch.knob(Knob(f"s_{k}", f"s{'₀₁₂'[k]}", 0, 1, home, "%", 0.01, 1.0,
+                               f"how far joint {k} is from its lowest to its highest value"))
+              for k, home in ((1, 0.5), (2, 0.4))]
+    _mesh(sketch, *limits)
+    _edges(sketch, *limits)
+    elbow = sketch.move(TRANSLATE, X, L1, None, _swept(sketch, 0, limits[0], sweeps[0]))
+    tool = sketch.move(TRANSLATE, X, L2, None, _swept(sketch, elbow, limits[1], sweeps[1]))
+    _arm(sketch, elbow, tool)
+    sketch.reading("p", "tool: p⁰ = {} m", sketch.vector(0, tool))
+    closing = [(-180, 180, -180, 180), (-90, 90, -180, 180), (-90, 90, 0, 180), (-90, 90, 0, 120),
+               (-90, 90, 45, 120), (-20, 130, 0, 150)]
+    return _with_trace(sketch, [[*np.radians(pose), 0.5, 0.4] for pose in closing])
+
+
+# ---- Parts of both ------------------------------------------------------------------------
+
+
+def _arm(sketch: Sketch, elbow: int, tool: int) -> None:
+    for name, ends in (("link-1", (0, elbow)), ("link-2", (elbow, tool))):
+        sketch.line(name, map(_origin, ends), "link")
+    for name, frame in (("O", 0), ("P", elbow), ("Q", tool)):
+        sketch.point(name, frame, (0, 0))
+    sketch.tip = tool
+
+
+def _with_trace(sketch: Sketch, poses: list) -> LiveView:
+    sketch._add("trace", TRACE, "trace", (_origin(sketch.tip),))
+    sketch.items[-1] = replace(sketch.items[-1], layer="trace")
+    poses = [[float(value) for value in pose] for pose in poses]
+    return sketch.view(panels={"layers": _TRACE, "poses": poses})
+
+
+def _origin(frame: int) -> Point:
+    return at(frame, (0, 0, 0))[0]
+
+
+# ---- The ring -----------------------------------------------------------------------------
+
+
+def _circle(sketch: Sketch, name: str, l1: int, l2: int, gain: int, style: str) -> None:
+    """Where the tool goes when the straight, or the folded, arm turns once."""
+    ends = []
+    for angle in np.linspace(0, 2 * pi, 73):
+        sketch.move(ROTATE, Z, angle, None, 0)
+        sketch.move(TRANSLATE, X, 0, l1)
+        ends.append(sketch.move(TRANSLATE, X, 0, l2, gain=gain))
+    sketch.line(name, map(_origin, ends), style)
+
+
+def _circle_names(sketch: Sketch, l1: int, l2: int) -> None:
+    """The radii of both circles under the picture, each measured along x."""
+    for name, text, gain in (("stretched", "stretched: l₁ + l₂ = {} m", 1),
+                             ("folded", "folded: l₁ − l₂ = {} m", -1)):
+        sketch.move(TRANSLATE, X, 0, l1, 0)
+        end = sketch.move(TRANSLATE, X, 0, l2, gain=gain)
+        sketch.reading(name, text, replace(sketch.vector(0, end), size=1))
+
+
+def _sweeps() -> list[list[float]]:
+    """Joint 1 there and back, while joint 2 bends a little more each time."""
+    bends = np.radians(np.linspace(0, 180, 7))
+    turns = (-pi, 0.0, pi)  # half a turn at a time: slow enough for a smooth trace
+    return [[turn, bend, L1, L2] for k, bend in enumerate(bends) for turn in turns[::1 - k % 2 * 2]]
+
+
+# ---- Limits -------------------------------------------------------------------------------
+
+
+def _limits(sketch: Sketch, k: int, homes: tuple, ends: tuple) -> tuple[int, int]:
+    """The two knobs of a joint's limits. They cannot pass each other."""
+    low, most, least, high = ends
+    index = "₀₁₂"[k]
+    ranges = (("from", low, most), ("to", least, high))
+    return tuple(sketch.knob(Knob.angle(f"{word}_{k}", f"θ{index} {word}", radians(a), radians(b),
+                                        radians(home)))
+                 for (word, a, b), home in zip(ranges, homes))
+
+
+def _share(sketch: Sketch, before: int, limits: tuple[int, int], share: float) -> int:
+    """A turn to a fixed share of the way from the lowest value to the highest."""
+    frame = sketch.move(ROTATE, Z, 0, limits[0], before, gain=1 - share)
+    return sketch.move(ROTATE, Z, 0, limits[1], frame, gain=share)
+
+
+def _swept(sketch: Sketch, before: int, limits: tuple[int, int], sweep: int) -> int:
+    """The same where a knob says how far; a sum, since a motion is scrubbed as a whole."""
+    frame = sketch.move(ROTATE, Z, 0, limits[0], before)
+    frame = sketch.move(ROTATE, Z, 0, limits[0], frame, gain=-1, scrub=(sweep, 0))
+    return sketch.move(ROTATE, Z, 0, limits[1], frame, scrub=(sweep, 0))
+
+
+def _curve(sketch: Sketch, name: str, shoulders: Iterable[int], bend: Iterable[float],
+           limits: tuple[int, int], style: str) -> list[Point]:
+    """The tool's places for pairs of a turned shoulder and a share of the elbow's range."""
+    ends = [at(_share(sketch, frame, limits, share), (L2, 0, 0))[0]
+            for frame, share in zip(shoulders, bend)]
+    sketch.line(name, ends, style)
+    return ends
+
+
+def _mesh(sketch: Sketch, first: tuple[int, int], second: tuple[int, int]) -> None:
+    """Curves of constant joint values; those at the limits are the coloured edges."""
+    along, across = (_shoulders(sketch, first, shares) for shares in (_WIDE, _LINES))
+    styles = ["x", *["mesh"] * (len(_LINES) - 2), "x"]
+    for k, (share, style) in enumerate(zip(_LINES, styles)):
+        _curve(sketch, f"bend-{k}", along, [share] * len(along), second, style)
+    for k, (frame, style) in enumerate(zip(across, styles)):
+        _curve(sketch, f"turn-{k}", [frame] * len(_SMALL), _SMALL, second,
+               style.replace("x", "y"))
+
+
+def _shoulders(sketch: Sketch, limits: tuple[int, int], shares: Iterable[float]) -> list[int]:
+    """Frames at the elbow, for shares of joint 1's range."""
+    return [sketch.move(TRANSLATE, X, L1, None, _share(sketch, 0, limits, share))
+            for share in shares]
+
+
+def _edges(sketch: Sketch, first: tuple[int, int], second: tuple[int, int]) -> None:
+    """The curve of the straightest arm, and the names of all five."""
+    bent = [sketch.move(ROTATE, Z, 0, second[0], frame, start=0.0)  # 0, or the lowest if above
+            for frame in _shoulders(sketch, first, _WIDE)]
+    sketch.line("straightest", (at(frame, (L2, 0, 0))[0] for frame in bent), "z")
+    (beside,) = at(bent[round(0.6 * len(bent))], (L2 + 0.1, 0, 0))
+    sketch.label("straightest", beside, "z")
+    for k, word in enumerate(("from", "to")):
+        elbow, other = _shoulders(sketch, first, (k, 0.25 + 0.5 * k))
+        for text, frame, share, beyond, style in (
+                (f"θ₁ {word}", elbow, 0.7 - 0.2 * k, 0.12, "y"),
+                (f"θ₂ {word}", other, k, -0.1, "x")):
+            place = at(_share(sketch, frame, second, share), (L2 + beyond, 0, 0))[0]
+            sketch.label(text, place, style)

@@ -1,0 +1,1 @@
+"""A DH table as typed: its cells, and the same table as CSV, text and code."""

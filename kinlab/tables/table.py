@@ -1,0 +1,346 @@
+"""A DH table as a student types it: frozen text, what it says, and the edits that change it."""
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, field, replace
+from functools import cached_property
+from itertools import count
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from ..arms import inputs
+from ..arms.arm import CONVENTIONS, PRISMATIC, REVOLUTE, Arm, Link, to_modified, to_standard
+from .cells import (
+    ANGLES,
+    MILLIMETRES,
+    angle_in,
+    angle_text,
+    length_in,
+    number_text,
+    read_angle,
+    read_length,
+)
+from .numbers import LONGEST
+
+PARAMETERS = ("theta", "d", "a", "alpha")
+LIMITS = ("low", "high", "home")
+COLUMNS = PARAMETERS + LIMITS
+MOST_ROWS = MOST_LENGTHS = 20
+_NARROWEST = 1e-6  # rad or length, between the limits of a joint
+_keys = count()
+
+Matrix = tuple[tuple[float, ...], ...]
+
+
+@dataclass(frozen=True)
+class Row:
+    """One joint: its type and the text of its cells.
+
+    The cell of the joint variable (theta or d) holds the joint's offset. Limits and home may be
+    empty. `key` stays with a joint while rows come, go and move.
+    """
+
+    kind: str = REVOLUTE
+    theta: str = "0"
+    d: str = "0"
+    a: str = "0"
+    alpha: str = "0"
+    low: str = ""
+    high: str = ""
+    home: str = ""
+    name: str = ""
+    key: int = field(default_factory=_keys.__next__, compare=False)
+
+    @property
+    def variable(self) -> str:
+        """The column that holds the joint's offset."""
+        return "theta" if self.kind == REVOLUTE else "d"
+
+    def is_angle(self, column: str) -> bool:
+        """Whether a column holds an angle: those of limits and home do as the joint does."""
+        return column in ("theta", "alpha") or (column in LIMITS and self.kind == REVOLUTE)
+
+
+class Place(NamedTuple):
+    """Where something stands: row (from 1) and column, or a named length (from 1)."""
+
+    row: int
+    column: str
+
+
+@dataclass(frozen=True)
+class DHTable:
+    """A DH table as typed. Rows and named lengths count from 1.
+
+    Attributes
+    ----------
+    rows : tuple of Row
+    convention : {"standard", "modified"}
+    angles : {"deg", "rad"}
+        The unit of an angle without one.
+    unit : str
+        The unit of all lengths.
+    lengths : tuple of (name, text)
+        Lengths that cells may name.
+    base, tool : 4x4 tuple or None
+        Carried along unchanged.
+    errors : dict
+        The reason, in one line, for each place that cannot be read.
+    arm : Arm or None
+        The arm that the table describes, if it can be read.
+
+    Examples
+    --------
+    >>> table = DHTable((Row(), Row())).with_cell(1, "a", "l1").with_length(1, "l1", "0.5")
+    >>> table.arm.links[0].a
+    0.5
+    >>> table.with_cell(2, "alpha", "90 grad").errors
+    {Place(row=2, column='alpha'): "'90 grad': expected a number such as -90 deg, pi/2 or 177.8; \
+'grad' is not known; known are pi, deg, rad"}
+    """
+
+    rows: tuple[Row, ...]
+    convention: str = "standard"
+    angles: str = "deg"
+    unit: str = "m"
+    lengths: tuple[tuple[str, str], ...] = ()
+    name: str = ""
+    base: Matrix | None = None
+    tool: Matrix | None = None
+
+    @classmethod
+    def of(cls, arm: Arm, angles: str = "deg") -> DHTable:
+        """The table of an arm."""
+        rows = tuple(_row(link, float(home), angles) for link, home in zip(arm.links, arm.home))
+        return cls(rows, arm.convention, angles, line(arm.unit), (), line(arm.name),
+                   matrix(arm.base), matrix(arm.tool))
+
+    # ---- what it says ----
+
+    @property
+    def errors(self) -> dict[Place, str]:
+        return self._reading[1]
+
+    @property
+    def values(self) -> dict[Place, float]:
+        """What each place says, where it can be read: radians and lengths."""
+        return self._reading[0]
+
+    @cached_property
+    def arm(self) -> Arm | None:
+        if self.errors:
+            return None
+        links = [self._link(i, row) for i, row in enumerate(self.rows, start=1)]
+        home = [self.values.get(Place(i, "home"), 0.0) for i in range(1, len(links) + 1)]
+        return Arm(links, convention=self.convention, name=self.name, unit=self.unit,
+                   base=self.base, tool=self.tool, home=home)
+
+    @cached_property
+    def _reading(self) -> tuple[dict[Place, float], dict[Place, str]]:
+        values, errors = {}, {}
+        names = self._names(values, errors)
+        for i, row in enumerate(self.rows, start=1):
+            for column in COLUMNS:
+                text = getattr(row, column)
+                if text or column in PARAMETERS:
+                    _note(Place(i, column), self._reader(row, column, names), text, values, errors)
+            _check_limits(i, row, values, errors)
+        return values, errors
+
+    def _names(self, values: dict, errors: dict) -> dict[str, float]:
+        """The lengths given beside, as far as they can be read."""
+        names: dict[str, float] = {}
+        for k, (name, text) in enumerate(self.lengths, start=1):
+            place = Place(k, "length")
+            _note(place, read_length, text, values, errors)
+            if name in names:
+                errors[place] = f"{inputs.brief(name)} is there twice; rename one"
+            elif place in values and not (reason := _name_refused(name)):
+                names[name] = values[place]
+            elif place in values:
+                errors[place] = reason
+        return names
+
+    def _reader(self, row: Row, column: str, names: dict[str, float]) -> Callable[[str], float]:
+        if row.is_angle(column):
+            return lambda text: read_angle(text, self.angles)
+        return lambda text: read_length(text, names)
+
+    def _link(self, i: int, row: Row) -> Link:
+        value = {column: self.values.get(Place(i, column)) for column in COLUMNS}
+        limits = None if value["low"] is None else (value["low"], value["high"])
+        return Link(row.kind, *(value[parameter] for parameter in PARAMETERS), limits,
+                    row.name or None)
+
+    # ---- edits: each gives a new table, and refuses what makes no table at all ----
+
+    def with_cell(self, row: int, column: str, text: str) -> DHTable:
+        """The text of a cell changed, to anything."""
+        inputs.choice("column", column, COLUMNS)
+        return self._with(row, **{column: line(text)})
+
+    def with_kind(self, row: int, kind: str) -> DHTable:
+        """The joint's type changed. Its limits and home, in another unit now, are emptied."""
+        inputs.choice("kind", kind, (REVOLUTE, PRISMATIC))
+        if self._row(row).kind == kind:
+            return self
+        return self._with(row, kind=kind, low="", high="", home="")
+
+    def with_row(self, after: int | None = None) -> DHTable:
+        """A new row of zeros below another; the last if left out."""
+        at = len(self.rows) if after is None else _position("row", after, len(self.rows))
+        if len(self.rows) >= MOST_ROWS:
+            raise ValueError(f"row: expected at most {MOST_ROWS} rows; remove one first")
+        return replace(self, rows=(*self.rows[:at], Row(), *self.rows[at:]))
+
+    def without_row(self, row: int) -> DHTable:
+        if len(self.rows) == 1:
+            raise ValueError("row: expected at least one row in the table; add another first")
+        at = _position("row", row, len(self.rows))
+        return replace(self, rows=self.rows[:at - 1] + self.rows[at:])
+
+    def with_row_moved(self, row: int, to: int) -> DHTable:
+        rows = list(self.rows)
+        moved = rows.pop(_position("row", row, len(rows)) - 1)
+        rows.insert(_position("to", to, len(self.rows)) - 1, moved)
+        return replace(self, rows=tuple(rows))
+
+    def with_length(self, k: int, name: str, text: str) -> DHTable:
+        """A named length changed, or one more named at the end of the list."""
+        at = _position("length", k, min(len(self.lengths) + 1, MOST_LENGTHS)) - 1
+        pair = (line(name), line(text))
+        return replace(self, lengths=(*self.lengths[:at], pair, *self.lengths[at + 1:]))
+
+    def without_length(self, k: int) -> DHTable:
+        at = _position("length", k, len(self.lengths))
+        return replace(self, lengths=self.lengths[:at - 1] + self.lengths[at:])
+
+    def without_end(self, end: str) -> DHTable:
+        """The base or the tool frame left out."""
+        return replace(self, **{inputs.choice("end", end, ("base", "tool")): None})
+
+    def read_as(self, convention: str) -> DHTable:
+        """The same numbers read in the other convention: in general another arm."""
+        return replace(self, convention=inputs.choice("convention", convention, tuple(CONVENTIONS)))
+
+    def converted_to(self, convention: str) -> DHTable:
+        """The same arm in the other convention: twists and lengths move by one row."""
+        inputs.choice("convention", convention, tuple(CONVENTIONS))
+        if self.arm is None:
+            raise ValueError("convention: expected a table that can be read; "
+                             "correct the marked cells first")
+        if convention == self.convention:
+            return self
+        arm = (to_modified if convention == "modified" else to_standard)(self.arm)
+        shift = -1 if convention == "modified" else 1
+        rows = tuple(replace(row, **{column: self._moved_text(i + shift, column, link)
+                                     for column in ("a", "alpha")})
+                     for i, (row, link) in enumerate(zip(self.rows, arm.links), start=1))
+        return replace(self, rows=rows, convention=convention, base=matrix(arm.base),
+                       tool=matrix(arm.tool))
+
+    def in_angles(self, unit: str) -> DHTable:
+        """The same table with its plain angles in degrees or radians."""
+        inputs.choice("angles", unit, tuple(ANGLES))
+        return self._rewritten(lambda row, column: row.is_angle(column),
+                               lambda text: angle_in(text, self.angles, unit), angles=unit)
+
+    def in_unit(self, unit: str) -> DHTable:
+        """The same arm with its lengths in another unit: mm, cm, m or in."""
+        old, new = self.unit, inputs.choice("unit", unit, tuple(MILLIMETRES))
+        if old not in MILLIMETRES:
+            raise ValueError(f"unit: lengths in {inputs.brief(old)} cannot be converted; "
+                             f"expected {' or '.join(MILLIMETRES)}")
+        lengths = tuple((name, length_in(text, old, new, {}, {})) for name, text in self.lengths)
+        there = replace(self, lengths=lengths, unit=new)
+        names, new_names = self._names({}, {}), there._names({}, {})
+        factor = float(MILLIMETRES[old] / MILLIMETRES[new])
+        return self._rewritten(lambda row, column: not row.is_angle(column),
+                               lambda text: length_in(text, old, new, names, new_names),
+                               lengths=lengths, unit=new, base=_scaled(self.base, factor),
+                               tool=_scaled(self.tool, factor))
+
+    def _with(self, row: int, **changes: Any) -> DHTable:
+        changed = replace(self._row(row), **changes)
+        return replace(self, rows=(*self.rows[:row - 1], changed, *self.rows[row:]))
+
+    def _row(self, row: int) -> Row:
+        return self.rows[_position("row", row, len(self.rows)) - 1]
+
+    def _moved_text(self, row: int, column: str, link: Link) -> str:
+        """A cell that moved: as it was typed, where it came from a row of this table."""
+        value = getattr(link, column)
+        if self.values.get(Place(row, column)) == value:
+            return getattr(self.rows[row - 1], column)
+        return angle_text(value, self.angles) if column == "alpha" else number_text(value)
+
+    def _rewritten(self, which: Callable, rewrite: Callable, **changes: Any) -> DHTable:
+        rows = (replace(row, **{column: rewrite(getattr(row, column)) for column in COLUMNS
+                                if which(row, column) and getattr(row, column)})
+                for row in self.rows)
+        return replace(self, rows=tuple(rows), **changes)
+
+
+def matrix(T: np.ndarray) -> Matrix | None:
+    """A base or tool frame as plain numbers; None where it changes nothing."""
+    return None if np.array_equal(T, np.eye(4)) else tuple(map(tuple, T.tolist()))
+
+
+def _row(link: Link, home: float, angles: str) -> Row:
+    row = Row(link.kind)
+    low, high = link.limits or (None, None)
+    values = {parameter: getattr(link, parameter) for parameter in PARAMETERS}
+    values |= {"low": low, "high": high, "home": home or None}
+    texts = {column: "" if value is None else angle_text(value, angles) if row.is_angle(column)
+             else number_text(value) for column, value in values.items()}
+    return replace(row, name=line(link.name or ""), **texts)
+
+
+def _note(place: Place, read: Callable, text: str, values: dict, errors: dict) -> None:
+    try:
+        values[place] = read(text)
+    except ValueError as error:
+        errors[place] = str(error)
+
+
+def _check_limits(i: int, row: Row, values: dict, errors: dict) -> None:
+    low, high = (values.get(Place(i, column)) for column in ("low", "high"))
+    if bool(row.low) != bool(row.high):
+        column = "high" if row.low else "low"
+        errors[Place(i, column)] = "expected both limits, or neither"
+    elif low is not None and high is not None and high - low < _NARROWEST:
+        errors[Place(i, "high")] = "expected an upper limit above the lower one"
+
+
+def _name_refused(name: str) -> str:
+    """Why a length cannot be called so, or ""."""
+    try:
+        read_length(name, {name: 1.0})
+    except ValueError as error:
+        return str(error).removeprefix("names: ")
+    return ""
+
+
+def line(text: Any) -> str:
+    """Text without line breaks and other characters that a cell cannot show."""
+    if not isinstance(text, str) or len(text) > LONGEST:
+        raise ValueError(f"text: expected text of at most {LONGEST} characters, "
+                         f"got {inputs.brief(text)}")
+    return " ".join("".join(c if c.isprintable() else " " for c in text).split())
+
+
+def _position(name: str, value: Any, last: int) -> int:
+    if isinstance(value, bool) or not isinstance(value, int) or not 1 <= value <= last:
+        raise ValueError(f"{name}: expected a number from 1 to {last}, got {inputs.brief(value)}")
+    return value
+
+
+def _scaled(T: Matrix | None, factor: float) -> Matrix | None:
+    if T is None:
+        return None
+    scaled = np.array(T)
+    scaled[:3, 3] *= factor
+    return matrix(scaled)
+
+

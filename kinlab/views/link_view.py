@@ -1,0 +1,231 @@
+"""One link of an arm as textbooks draw it: its four parameters measured, its four motions done.
+
+The arm is drawn as ever, but of the frames only i-1 and i stay. What is measured about or along
+a z axis (theta, d) has that axis' colour, and so has what belongs to an x axis (a, alpha).
+"""
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable
+from dataclasses import replace
+from itertools import accumulate
+from numbers import Integral
+from typing import Any
+
+import numpy as np
+
+from ..arms import inputs
+from ..arms.arm import CONVENTIONS, Arm, _check_arm
+from ..arms.motions import ROTATE, Motion, X, Z
+from ..drawing.arm_scene import arm_scene, joint_range
+from ..drawing.scene import SPATIAL, Amount, Point, Scene, Vector, at, camera, subscript
+from ..drawing.sketch import Sketch
+from .arm_view import first_pose, joint_knob
+from .live import Knob, LiveView, decimals
+
+_AXES, _VIEW = np.eye(3), camera(*SPATIAL["3-D"])[2]
+_LETTERS = {"theta": "θ", "d": "d", "a": "a", "alpha": "α"}
+_HIDDEN = ("frame-", "label-", "axis-", "trace", "ghost")
+_HALF, _HEAD, _END = 8, 14, 16  # frames along a sweep: its middle, its arrow head, its end
+
+
+def parameters_view(arm: Arm, link: int, q: Any = None) -> LiveView:
+    """The four DH parameters of a link, drawn on the arm and moving with it.
+
+    Angles are arcs, lengths are dimension lines. Beside the picture stand the matrix from frame
+    i-1 to frame i and how each parameter is measured; what is zero for ever is not drawn.
+
+    Parameters
+    ----------
+    arm : Arm
+        In either convention.
+    link : int
+        1 to n.
+    q : array, shape (n,), optional
+        Joint values to begin with (rad or length); the arm's home if left out.
+
+    Returns
+    -------
+    LiveView
+        Its knobs are the arm's joints, its readings "theta", "d", "a" and "alpha".
+
+    Raises
+    ------
+    ValueError
+        If `arm` is no arm, has no such link, or `q` does not fit it.
+
+    Examples
+    --------
+    >>> from kinlab import robots
+    >>> view = parameters_view(robots.alpha_ii(), 2)
+    >>> view["theta_2"].value = 40
+    >>> view.readings["theta"]
+    (array([40.]),)
+    """
+    sketch = _LinkSketch(arm, link, q)
+    for k, parameter in enumerate(sketch.parameters):
+        sketch.reading(parameter, sketch.rule(k), Amount(sketch.frames[k + 1]))
+    return sketch.view(panels={"pose": sketch.table(f"A{subscript(str(link))}", str(link))})
+
+
+def motions_view(arm: Arm, link: int, q: Any = None) -> LiveView:
+    """The four motions that carry a frame from frame i-1 to frame i, one after another.
+
+    The knob "motion" says how many are done: at 0 the frame lies on frame i-1, at 4 on frame i.
+    The joints move as well. Parameters and errors are those of `parameters_view`.
+
+    Examples
+    --------
+    >>> from kinlab import robots
+    >>> view = motions_view(robots.alpha_ii(), 2)
+    >>> view["motion"].value = 2.5
+    >>> view.readings["a"]
+    (array([88.9]),)
+    """
+    sketch = _LinkSketch(arm, link, q)
+    sketch.travel()
+    home = [knob.home for knob in sketch.knobs[:-1]]
+    return sketch.view(panels={"poses": [[*home, done] for done in range(5)],
+                               "pose": sketch.table("The frame on its way", "")})
+
+
+class _LinkSketch(Sketch):
+    """The arm, and on it a link's frames, arcs and dimension lines."""
+
+    def __init__(self, arm: Arm, link: int, q: Any) -> None:
+        _check_arm(arm)
+        if not isinstance(link, Integral) or not 1 <= link <= arm.n:
+            raise ValueError(f"link: expected a whole number from 1 to {arm.n}, "
+                             f"got {inputs.brief(link)}")
+        super().__init__(f"Link {link} of {arm.name or 'the arm'}, {arm.convention} DH",
+                         planar=False, unit=arm.unit)
+        self.arm, self.link, drawn = arm, int(link), arm_scene(arm)
+        self.steps, self.over = list(drawn.motions), drawn.radius
+        self.items = [item for item in drawn.items if not item.gid.startswith(_HIDDEN)]
+        self.start = first_pose(arm, q).tolist()
+        self.knobs = [replace(joint_knob(arm, i), home=self.start[i]) for i in range(arm.n)]
+        self.motions = arm.chain[link]
+        self.parameters = [parameter for _, _, parameter in CONVENTIONS[arm.convention]]
+        self.radius = _closeness(arm, self.motions, drawn.radius)
+        ends = list(accumulate(sum(not m.idle for m in part) for part in arm.chain))
+        self.first, self.tip = ends[link - 1], ends[link]
+        self.focus = self._walk(self.motions, slides=0.5)[-1]
+        self.frames = self._walk(self.motions)
+        self._measure()
+
+    def scene(self) -> Scene:
+        return replace(super().scene(), focus=self.focus)
+
+    def table(self, title: str, name: str) -> dict:
+        """The matrix of the last frame, as frame i-1 sees it."""
+        name, before = subscript(name), subscript(str(self.link - 1))
+        columns = [{"name": letter + name, "title": f"{letter} axis"} for letter in "xyz"]
+        return {"title": f"{title}, seen from frame {self.link - 1}", "unit": self.unit,
+                "columns": [*columns, {"name": f"o{name}", "title": f"origin, from O{before}"}],
+                "decimals": decimals(self.radius), "base": self.first}
+
+    def travel(self) -> None:
+        """A frame that a knob carries from frame i-1 to frame i, with the path of its origin."""
+        done = self.knob(Knob.length("motion", "motion", 0, 4, title="motions done"))
+        frames = [self.first]
+        for k, motion in enumerate(self.motions):
+            frames.append(self.move(motion.kind, motion.axis, motion.amount, motion.joint,
+                                    frames[-1], scrub=(done, k)))
+            verb = "turn about" if motion.kind == ROTATE else "slide along"
+            self.reading(self.parameters[k], f"{k + 1}. {verb} {'xyz'[motion.axis]} by "
+                         f"{self._name(k)}: {{}}{self._unit(motion)}", Amount(frames[-1]))
+        self.line("path", (at(frame, (0, 0, 0))[0] for frame in frames), "trace")
+        self.axes("", frames[-1], 0.3 * self.radius)
+        self.reading("o", f"origin at {{}} {self.unit}, seen from frame {self.link - 1}",
+                     Vector(*(at(frame, (0, 0, 0))[0] for frame in (self.first, frames[-1])),
+                            self.first, 3))
+        self.tip = frames[-1]
+
+    def _walk(self, motions: Iterable[Motion], slides: float = 1.0) -> list[int]:
+        """The frames before, between and after the motions, on a branch of their own."""
+        frames = [self.first]
+        for motion in motions:
+            share = 1.0 if motion.kind == ROTATE else slides
+            frames.append(self.move(motion.kind, motion.axis, share * motion.amount, motion.joint,
+                                    frames[-1], gain=share))
+        return frames
+
+    def _measure(self) -> None:
+        for k, motion in enumerate(self.motions):
+            if not motion.idle:
+                draw = self._arc if motion.kind == ROTATE else self._dimension
+                draw(k, "xyz"[motion.axis], self.frames[k], self.frames[k + 1])
+        for name, frame in (("before", self.first), ("after", self.tip)):
+            reach = 0.42 * self.radius * _AXES[Z]
+            self.line(f"z-{name}", at(frame, -reach, reach), "axis")
+        apart = any(not m.idle for m in self.motions if m.kind != ROTATE)
+        self.axes(str(self.link - 1), self.first, 0.22 * self.radius)
+        self.axes(str(self.link), self.tip, (0.22 if apart else 0.28) * self.radius)
+
+    def _arc(self, k: int, style: str, before: int, after: int) -> None:
+        """From the other axis as it was to where the turn leaves it, with both drawn as rays."""
+        place = self.radius * (0.32 * _AXES[X] if style == "z" else 0.37 * _AXES[Z])
+        for frame in (before, after):
+            self.line(f"ray-{k}-{frame}", at(frame, (0, 0, 0), 1.08 * place))
+        marks = self.sweep(f"arc-{k}", after, place, style)
+        self.arrow(f"head-{k}", at(marks[_HEAD], place)[0], at(marks[_END], place)[0], style)
+        self.label(self._name(k), at(marks[_HALF], 1.17 * place)[0], style)
+
+    def _dimension(self, k: int, style: str, before: int, after: int) -> None:
+        """Beside the link, between two short lines out from where the slide begins and ends."""
+        beside = 0.16 * self.radius * self._sideways(before, *((Z, X) if style == "z" else (X, Z)))
+        for frame in (before, after):
+            self.line(f"edge-{k}-{frame}", at(frame, (0, 0, 0), 1.2 * beside), style)
+        tail, head = (at(frame, beside)[0] for frame in (before, after))
+        self.arrow(f"dimension-{k}", tail, head, style)
+        middle = self._part(self.steps[after - 1], before, 0.5)
+        self.label(self._name(k), at(middle, 1.5 * beside)[0], style)
+
+    def _sideways(self, frame: int, axis: int, other: int) -> np.ndarray:
+        """Across an axis of a frame and across the view at first; not towards the other axis."""
+        R = self.scene().frames(self.start)[frame][:3, :3]
+        across = R.T @ np.cross(_VIEW, R[:, axis])
+        if np.linalg.norm(across) < 0.1:  # seen end on: any direction serves
+            across = _AXES[other]
+        return across / np.linalg.norm(across) * (-1 if across[other] > 0 else 1)
+
+    def _name(self, k: int) -> str:
+        """The k-th parameter with its index: a and alpha of a modified row i have i-1."""
+        parameter = self.parameters[k]
+        behind = self.arm.convention == "modified" and parameter in ("a", "alpha")
+        return _LETTERS[parameter] + subscript(str(self.link - behind))
+
+    def rule(self, k: int) -> str:
+        """How the k-th parameter is measured, with its name in front and a place for its value."""
+        turns, axis = self.motions[k].kind == ROTATE, self.motions[k].axis
+        old, new = (subscript(str(i)) for i in (self.link - 1, self.link))
+        other, own = ("x", "z") if axis == Z else ("z", "x")
+        first = (axis == Z) == (self.arm.convention == "standard")
+        return (f"{self._equation(k)} = {{}}{self._unit(self.motions[k])}, from {other}{old} "
+                f"to {other}{new} {'about' if turns else 'along'} {own}{old if first else new}")
+
+    def _equation(self, k: int) -> str:
+        """The name; for a joint variable with its star, and with the joint's offset."""
+        name, motion = self._name(k), self.motions[k]
+        if motion.joint is None:
+            return name
+        if not motion.amount:
+            return f"{name}*"
+        offset = math.degrees(motion.amount) if motion.kind == ROTATE else motion.amount
+        sign = "-" if offset < 0 else "+"
+        return f"{name} = {name}* {sign} {abs(offset):.6g}{self._unit(motion)}"
+
+    def _unit(self, motion: Motion) -> str:
+        return "°" if motion.kind == ROTATE else f" {self.unit}"
+
+    def _add(self, gid: str, shape: str, style: str, points: Iterable[Point], text: str = "",
+             lift: float = 0.0) -> None:
+        super()._add(gid, shape, style, points, text, lift + self.over)  # over the arm
+
+
+def _closeness(arm: Arm, motions: Iterable[Motion], radius: float) -> float:
+    """Half the width of what is shown: the link and its frames, not the whole arm."""
+    reach = math.hypot(*(abs(m.amount) if m.joint is None
+                         else max(map(abs, joint_range(arm, m.joint)))
+                         for m in motions if m.kind != ROTATE))
+    return min(radius, max(0.95 * reach, 0.3 * radius))

@@ -1,0 +1,288 @@
+"""The DH table in a notebook: typed cells, and the live arm that follows them."""
+from __future__ import annotations
+
+import base64
+from collections import deque
+from collections.abc import Mapping, Sequence
+from threading import RLock
+from typing import Any
+
+import anywidget
+import ipywidgets
+import numpy as np
+import traitlets
+
+from ..arms import inputs
+from ..arms.arm import REVOLUTE, Arm, _check_arm, revolute
+from ..browser import page
+from ..drawing import worker
+from ..drawing.arm_scene import arm_scene
+from ..tables.as_code import from_code, to_code
+from ..tables.as_csv import from_csv, to_csv
+from ..tables.cells import MILLIMETRES
+from ..tables.other_convention import other_reading
+from ..tables.table import DHTable
+from .arm_view import ArmView, joints_text
+from .live import parts
+from .table_panels import compared_html, lengths_text, reasons, signs_html, state, table_text
+
+EDITS = ("with_cell", "with_kind", "with_row", "without_row", "with_row_moved", "with_length",
+         "without_length", "without_end", "read_as", "converted_to", "in_angles", "in_unit")
+PANELS = ("", "closed", "symbols", "signs", "compare")
+_IMPORTS = ("import ", "from ")
+MOST_STEPS = 200  # that can be undone
+LONGEST_FORMULA = 30_000  # characters of LaTeX; more takes the browser minutes
+MOST_ODD_ANGLES = 4
+_ODD = ("With so many angles that are not multiples of 90° the closed form would fill pages. "
+        "The numbers of T₀ₙ stand beside the picture.")
+
+
+class Grid(anywidget.AnyWidget):
+    """The table's cells and buttons; table.js does the work."""
+
+    _esm = page.HERE / "table.js"
+    _css = page.HERE / "table.css"
+    state = traitlets.Dict().tag(sync=True)
+
+
+class DHTableEditor(ipywidgets.VBox):
+    """A DH table to type in, with the live arm under it.
+
+    The arm follows each edit at once. While a cell cannot be read it is marked, the reason stands
+    below its row, and the arm stays as it was.
+
+    Parameters
+    ----------
+    arm : Arm, optional
+        The table to begin with; two links of 1 m if left out.
+    angles : {"deg", "rad"}
+        The unit of angles without one. Where pi stands in a cell, radians are meant.
+    lengths : {name: number}, optional
+        Lengths that cells may name, such as ``{"d2": 500}``.
+
+    Attributes
+    ----------
+    arm : Arm
+        The arm of the table, or of the last one that could be read. Setting it loads an arm.
+    table : DHTable
+        The table as typed: its `errors`, and its edits, each of which gives a new table.
+        Setting it is one step that `undo` takes back.
+    view : ArmView
+        The live arm.
+
+    Raises
+    ------
+    ValueError
+        If an argument does not fit.
+
+    Examples
+    --------
+    >>> from kinlab import robots
+    >>> editor = DHTableEditor(robots.two_link())
+    >>> editor.set(2, "a", "1.5")
+    >>> editor.arm.links[1].a
+    1.5
+    >>> editor.set(2, "a", "1,5")
+    >>> editor
+    DHTableEditor('Two-link': modified DH, lengths in m, * marks the joint variable)
+    i  joint     α(i-1)  a(i-1)  d      θ
+    1  revolute       0       0  0  θ1* 0
+    2  revolute       0     1,5  0  θ2* 0
+    Row 2, a: '1,5': expected a number such as -90 deg, pi/2 or 177.8; write the decimal point as \
+. and not as ,
+    """
+
+    def __init__(self, arm: Arm | None = None, *, angles: str = "deg",
+                 lengths: Mapping[str, float] | None = None) -> None:
+        self._table = _first(arm, angles, {} if lengths is None else lengths)
+        self._past, self._future = deque(maxlen=MOST_STEPS), []
+        self._arm, self._shown = self._table.arm, self._table
+        self._one_at_a_time = RLock()  # cells and the browser may run in two threads
+        self._said, self._open, self._filled = "", "", ("", self._arm)
+        self.view, self._grid = ArmView(self._arm), Grid()
+        self._html, self._math = ipywidgets.HTML(), ipywidgets.HTMLMath()
+        for panel in (self._html, self._math):
+            panel.add_class("kl-panel")
+        self._grid.on_msg(self._hear)
+        super().__init__([self._grid, self._html, self._math, self.view])
+        self.add_class("kl-editor")
+        self._tell()
+
+    # ---- from Python ----
+
+    @property
+    def arm(self) -> Arm:
+        return self._arm
+
+    @arm.setter
+    def arm(self, arm: Arm) -> None:
+        self.table = _typed(arm, self._table.angles)
+
+    @property
+    def table(self) -> DHTable:
+        return self._table
+
+    @table.setter
+    def table(self, table: DHTable) -> None:
+        if not isinstance(table, DHTable):
+            raise ValueError(f"table: expected a DHTable, got {inputs.brief(table)}; "
+                             "make one from editor.table")
+        with self._one_at_a_time:
+            self._said = ""
+            if table != self._table:
+                self._past.append(self._table)
+                self._future.clear()
+                self._show(table)
+            self._tell()
+
+    def set(self, row: int, column: str, text: str) -> None:
+        """Type into a cell: 'theta', 'd', 'a', 'alpha', 'low', 'high' or 'home' of a row."""
+        self.table = self._table.with_cell(row, column, text)
+
+    def undo(self) -> None:
+        """Take back the last edit."""
+        self._step(self._past, self._future)
+
+    def redo(self) -> None:
+        """Make the edit again that was taken back last."""
+        self._step(self._future, self._past)
+
+    def to_csv(self) -> str:
+        """The table as CSV, cells that cannot be read included."""
+        return to_csv(self._table)
+
+    def to_code(self) -> str:
+        """The arm of the table as Python code; ValueError while a cell is wrong."""
+        return to_code(self._table)
+
+    def load(self, text: str) -> None:
+        """Load a table from CSV or from kinlab code; code is read and never run."""
+        code = isinstance(text, str) and ("Arm(" in text or text.lstrip().startswith(_IMPORTS))
+        self.table = from_code(text).in_angles(self._table.angles) if code else from_csv(text)
+
+    def close(self) -> None:
+        """Close the table, the arm and everything that they are made of."""
+        for part in parts(self):
+            ipywidgets.Widget.close(part)
+
+    def __repr__(self) -> str:
+        rows = table_text(self._table)
+        widths = [max(map(len, column)) for column in zip(*rows)]
+        lines = ["  ".join(cell.ljust(w) if k == 1 else cell.rjust(w)
+                           for k, (cell, w) in enumerate(zip(row, widths))) for row in rows]
+        name = f"{self._table.name!r}: " if self._table.name else ""
+        title = (f"{type(self).__name__}({name}{self._table.convention} DH, "
+                 f"lengths in {self._table.unit}, * marks the joint variable)")
+        return "\n".join([title, *lines, *lengths_text(self._table), *reasons(self._table)])
+
+    def _repr_mimebundle_(self, **kwargs: Any) -> dict:
+        """The widget, and its text for places where none runs."""
+        return (super()._repr_mimebundle_(**kwargs) or {}) | {"text/plain": repr(self)}
+
+    # ---- from the browser ----
+
+    def _hear(self, _: Any, content: Any, buffers: Any) -> None:
+        """What the student did. What cannot be done is said beside the table."""
+        with self._one_at_a_time:
+            self._said = ""
+            try:
+                self._do(content["do"], content.get("with", []))
+            except ValueError as error:
+                self._said = str(error).removeprefix("text: ")
+            self._tell()
+
+    def _do(self, what: str, arguments: Sequence) -> None:
+        if what in EDITS:
+            self.table = getattr(self._table, what)(*arguments)
+        elif what in ("undo", "redo", "load"):
+            getattr(self, what)(*arguments)
+        elif what == "open":
+            self._open = inputs.choice("panel", *arguments, PANELS)
+
+    # ---- to the browser ----
+
+    def _step(self, back: Any, ahead: Any) -> None:
+        with self._one_at_a_time:
+            if back:
+                ahead.append(self._table)
+                self._show(back.pop())
+            self._tell()
+
+    def _show(self, table: DHTable) -> None:
+        """Take a table; the arm follows if the table can be read."""
+        self._table, arm = table, table.arm
+        if arm is not None and not _alike(arm, self._arm):
+            self.view.follow(arm, self._values(table, arm))
+            self._arm = arm
+        if arm is not None:
+            self._shown = table
+
+    def _values(self, table: DHTable, arm: Arm) -> np.ndarray:
+        """Joint values: as they were where the joint was there before, else home."""
+        units = MILLIMETRES.get(self._shown.unit), MILLIMETRES.get(table.unit)
+        longer = float(units[0] / units[1]) if all(units) else 1.0
+        before = {(row.key, row.kind): value * (1.0 if row.kind == REVOLUTE else longer)
+                  for row, value in zip(self._shown.rows, self.view.q)}
+        return np.array([before.get((row.key, row.kind), home)
+                         for row, home in zip(table.rows, arm.home)])
+
+    def _tell(self) -> None:
+        """Bring the browser's table and panels up to date."""
+        self._grid.state = state(self._table) | {
+            "undo": bool(self._past), "redo": bool(self._future), "open": self._open,
+            "said": self._said, "code": to_code(self._table) if self._table.arm else ""}
+        if self._filled != (self._open, self._arm):
+            self._filled = self._open, self._arm
+            self._math.value = self._formula() if self._open in ("closed", "symbols") else ""
+            self._html.value = {"signs": signs_html, "compare": self._compared}.get(
+                self._open, lambda arm: "")(self._arm)
+
+    def _formula(self) -> str:
+        from ..arms.symbolic import closed_form
+
+        odd = [angle for link in self._arm.links for angle in (link.theta, link.alpha)
+               if abs(np.sin(2 * angle)) > 1e-9]
+        if len(odd) > MOST_ODD_ANGLES:
+            return _ODD
+        latex = closed_form(self._arm, lengths={"closed": "numbers"}.get(
+            self._open, self._open)).latex
+        tool = "n" if np.array_equal(self._arm.tool, np.eye(4)) else "E"
+        formula = f"$\\displaystyle T_0^{tool} = {latex}$".replace("^n", f"^{{{self._arm.n}}}")
+        return formula if len(latex) <= LONGEST_FORMULA else _ODD
+
+    def _compared(self, arm: Arm) -> str:
+        q = self.view.q
+        reading = other_reading(arm, q)
+        still = worker.png(arm_scene(reading.numbers), q, "3-D", ("frames", "labels"))
+        picture = base64.b64encode(still).decode()
+        at = joints_text(arm, [slider.value for slider in self.view.joints])
+        return compared_html(arm, reading, at, picture)
+
+
+def _first(arm: Arm | None, angles: str, lengths: Any) -> DHTable:
+    arm = Arm([revolute(a=1), revolute(a=1)]) if arm is None else arm
+    table = _typed(arm, inputs.choice("angles", angles, ("deg", "rad")))
+    if not isinstance(lengths, Mapping):
+        raise ValueError(f"lengths: expected names with their lengths, got "
+                         f"{inputs.brief(lengths)}; write {{'d2': 500}}")
+    for k, (name, value) in enumerate(lengths.items(), start=1):
+        number = inputs.number(f"lengths[{name!r}]", value)
+        table = table.with_length(k, name, repr(number).removesuffix(".0"))
+    if table.errors:
+        raise ValueError(f"lengths: {next(iter(table.errors.values()))}")
+    return table
+
+
+def _typed(arm: Any, angles: str) -> DHTable:
+    """The table of an arm, if its numbers are such as a table takes."""
+    _check_arm(arm)
+    table = DHTable.of(arm, angles)
+    if table.errors:
+        raise ValueError(f"arm: expected numbers that fit a table; {reasons(table)[0]}")
+    return table
+
+
+def _alike(a: Arm, b: Arm) -> bool:
+    words = [(arm.links, arm.convention, arm.name, arm.unit) for arm in (a, b)]
+    return words[0] == words[1] and all(
+        np.array_equal(getattr(a, part), getattr(b, part)) for part in ("base", "tool", "home"))

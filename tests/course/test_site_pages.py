@@ -1,0 +1,187 @@
+"""The site of the course: every link leads somewhere, nothing comes from elsewhere."""
+import itertools
+import re
+from html import escape, unescape
+from pathlib import Path
+from urllib.parse import unquote, urlparse
+
+import nbformat
+import pytest
+from markup import Reader
+
+from kinlab.browser import page
+from kinlab.course import site
+from kinlab.course.notebooks import FOLDER
+
+LESSONS = sorted(path.stem for path in FOLDER.glob("*.ipynb"))
+every_page = pytest.mark.parametrize("name", ["index", *LESSONS])
+every_lesson = pytest.mark.parametrize("name", LESSONS)
+
+
+@pytest.fixture
+def folder(course_site):
+    return course_site
+
+
+@pytest.fixture
+def text(folder, name):
+    return (folder / f"{name}.html").read_text(encoding="utf-8")
+
+
+@pytest.fixture
+def saved(name):
+    return nbformat.read(FOLDER / f"{name}.ipynb", as_version=4)
+
+
+def views_of(notebook):
+    """The saved pictures of live views; other pictures stay pictures."""
+    return [output for cell in notebook.cells for output in cell.get("outputs", ())
+            if output.get("metadata", {}).get("image/png", {}).get("alt", "")
+            .startswith("Picture of the arm.")]
+
+
+def anchors(folder, name):
+    return set(re.findall(r'\bid="([^"]+)"', (folder / name).read_text(encoding="utf-8")))
+
+
+@every_page
+def test_every_link_leads_somewhere(folder, name, text):
+    for link in set(re.findall(r'<a [^>]*href="([^"]+)"', text)):
+        parts = urlparse(link)
+        if parts.scheme:  # a reader may follow it out of the course
+            assert parts.scheme in ("http", "https")
+            continue
+        target = parts.path or f"{name}.html"
+        assert (folder / target).is_file(), link
+        if parts.fragment:
+            assert unquote(parts.fragment) in anchors(folder, target), link
+
+
+@every_page
+def test_nothing_comes_from_elsewhere(folder, name, text):
+    wanted = [address for address in Reader(text).loads
+              if not re.search(r"\.html(#|$)|^https?:|^data:image/png", address)]
+    assert sorted(wanted) == ["kinlab.css", "kinlab.js"]
+    assert not re.search(r'<img (?![^>]*src="data:image/png)', text)
+    assert not re.search(r"<(iframe|object|embed|video|audio|source|base)\b", text)
+    assert not re.search(r"url\((?!#)|@import|type=\"module\"|mathjax|require\.js", text, re.I)
+    assert not re.search(r'(?:src|srcset|poster)="(?:[a-z]+:)?//', text)
+
+
+def test_shared_files_ask_for_nothing_either(folder):
+    style, script = ((folder / f"kinlab.{end}").read_text("utf-8") for end in ("css", "js"))
+    assert "url(" not in style and "@import" not in style
+    assert script == page.classic_script()
+    assert {path.name for path in folder.iterdir()} == {
+        "kinlab.css", "kinlab.js", "index.html", *(f"{name}.html" for name in LESSONS)}
+
+
+@every_page
+def test_pages_are_whole_titled_and_fit_a_phone(name, text):
+    reader = Reader(text)
+    assert reader.tags.count("h1") == 1 and reader.tags.count("title") == 1
+    assert '<html lang="en">' in text and 'name="viewport"' in text
+    title, heading = (unescape(re.search(f"<{tag}[^>]*>(.*?)<", text)[1])
+                      for tag in ("title", "h1"))
+    assert title == ("Course map" if name == "index" else heading)
+    named = re.findall(r'<h\d id="([^"]*)"', text)
+    assert "" not in named and len(named) == len(set(named))
+
+
+@every_lesson
+def test_every_view_moves_and_no_cell_is_lost(saved, text):
+    views = views_of(saved)
+    pictures = sum("image/png" in output.get("data", {})
+                   for cell in saved.cells for output in cell.get("outputs", ()))
+    assert text.count("<img ") == pictures - len(views)
+    assert views and len(re.findall('<div class="kl-view[ "]', text)) == len(views)
+    assert text.count('<script type="application/json">') == len(views)
+    checks = [cell for cell in saved.cells if "check" in cell.metadata.get("tags", ())]
+    code = [cell for cell in saved.cells if cell.cell_type == "code"]
+    assert text.count('<div class=" highlight') == len(code) - len(checks)
+    headings = sum(len(re.findall(r"^#+ ", cell.source, re.MULTILINE)) for cell in saved.cells
+                   if cell.cell_type == "markdown")
+    assert len(re.findall(r"<h[1-6]\b", text)) == headings
+
+
+@every_lesson
+def test_views_begin_as_their_cells_left_them(saved, text):
+    """Not as a later cell leaves them: it is the picture that the text beside it describes."""
+    views = views_of(saved)
+    spoken = [word for word in re.findall(r'aria-label="Picture of the arm. ([^"]*)"', text)]
+    assert [escape(view.data["text/plain"]) for view in views] == spoken
+
+
+@every_lesson
+def test_exercises_show_their_task_and_say_where_they_are_checked(name, saved, text):
+    tags = [tag for cell in saved.cells for tag in cell.metadata.get("tags", ())]
+    assert tags.count("check") >= 3
+    assert text.count("Checking needs JupyterLab") == tags.count("check")
+    assert text.count("Exercise 1") >= 1 and "kl.exercises.check(&quot;" not in text
+    assert f"<code>notebooks/{name}.ipynb</code>" in text
+    assert "Not attempted yet.</strong>" not in text
+
+
+@every_lesson
+def test_every_formula_is_mathml(saved, text):
+    words = "".join(Reader(text).words)
+    assert "$" not in words and not re.search(r"\\(?:begin|frac|theta|left|cos|mathsf)", words)
+    assert not re.search(r"<m[iot]\w*>[^<]*(?:\\|&amp;|&<)", text)
+    wanted = sum(len(re.findall(r"\$\$.+?\$\$|(?<!\$)\$[^$]+\$", _plain(cell.source), re.DOTALL))
+                 for cell in saved.cells if cell.cell_type == "markdown")
+    wanted += sum("text/latex" in output.get("data", {})
+                  for cell in saved.cells for output in cell.get("outputs", ()))
+    assert text.count("<math ") >= wanted > 10
+
+
+def _plain(source):
+    """Markdown without code, in which a dollar sign is one."""
+    return re.sub(r"`[^`]*`", "", source)
+
+
+def test_the_map_leads_through_all_lessons_in_order(folder):
+    index = (folder / "index.html").read_text(encoding="utf-8")
+    links = re.findall(r'<td[^>]*><a href="([^"]+)">([^<]+)</a>', index)
+    assert [Path(link).stem for link, _ in links] == LESSONS
+    assert links[0][1] == "00 Start here" and links[2][1] == "02 Rotation"
+    page_name, way = "index.html", []
+    while page_name:
+        found = re.search(r'<a href="([^"]+)" rel="next">', (folder / page_name).read_text("utf-8"))
+        page_name = found and found[1]
+        way.append(page_name)
+    assert way == [*(f"{name}.html" for name in LESSONS), None]
+    for before, after in itertools.pairwise(LESSONS):
+        text = (folder / f"{after}.html").read_text(encoding="utf-8")
+        assert f'<a href="{before}.html" rel="prev">' in text
+
+
+@pytest.mark.parametrize("latex, mathml", [
+    (r"\cos\theta", '<mi>cos</mi><mspace width="0.17em"/><mi>'),
+    (r"a\sin(x)", '</mi><mspace width="0.17em"/><mi>sin</mi>'),
+    ("(1, -1)", '</mo><mo form="prefix">&#x02212;</mo>'),
+    ("a - b", "</mi><mo>&#x02212;</mo>"),
+    (r"|\det J|", '<mo lspace="0" rspace="0">&#x0007C;</mo>'),
+    (r"\dots + b", "</mo><mo>&#x0002B;</mo>"),
+    (r"\begin{bmatrix}1\end{bmatrix}", '<mtable class="kl-matrix"><mtr>'),
+    (r"\left[\begin{matrix}1\end{matrix}\right]", '<mtable class="kl-matrix"><mtr>'),
+])
+def test_formulas_are_spaced_as_in_print(latex, mathml):
+    assert mathml in page.mathematics(latex)
+
+
+def test_the_command_shows_its_progress_and_where_to_look(tmp_path, capsys, monkeypatch):
+    monkeypatch.setattr(site, "FOLDER", tmp_path)
+    (tmp_path / "00_start_here.ipynb").write_bytes((FOLDER / "00_start_here.ipynb").read_bytes())
+    assert site.main([str(tmp_path / "out")]) == 0
+    said = capsys.readouterr().err
+    assert "1 of 1  00_start_here" in said and str(tmp_path / "out" / "index.html") in said
+
+
+def test_a_folder_that_cannot_be_made_is_refused_in_a_sentence(tmp_path, capsys):
+    (tmp_path / "file").write_text("")
+    with pytest.raises(SystemExit):
+        site.main([str(tmp_path / "file" / "course")])
+    assert "OUT: cannot make the folder" in capsys.readouterr().err
+    with pytest.raises(SystemExit):
+        site.main([str(tmp_path / "file")])
+    assert (tmp_path / "file").read_text() == ""

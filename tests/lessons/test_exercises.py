@@ -1,0 +1,126 @@
+"""Checks of exercises: right answers pass, slips are named, and nothing makes a check raise."""
+from dataclasses import FrozenInstanceError
+
+import numpy as np
+import pytest
+import sympy as sp
+from hypothesis import given
+from hypothesis import strategies as st
+from solved import ALSO, JUDGES, RIGHT, STUBS, WRONG
+
+import kinlab as kl
+from kinlab.exercises import Verdict
+
+check = kl.exercises.check
+t1 = sp.Symbol("theta_1")
+
+
+@pytest.mark.parametrize("name", JUDGES)
+def test_the_solution_is_correct(name):
+    verdict = check(name, RIGHT[name])
+    assert verdict.ok and verdict.word == "Correct" and verdict.message
+
+
+@pytest.mark.parametrize("name, answer, words", ALSO)
+def test_another_right_answer_is_correct_too(name, answer, words):
+    verdict = check(name, answer)
+    assert verdict.ok and words in verdict.message, verdict
+
+
+@pytest.mark.parametrize("name, answer, words", WRONG)
+def test_a_wrong_answer_is_told_what_is_wrong(name, answer, words):
+    verdict = check(name, answer)
+    assert not verdict.ok and verdict.word == "Not yet"
+    assert words in verdict.message
+
+
+@pytest.mark.parametrize("name, answer", STUBS)
+def test_a_stub_is_not_attempted_yet(name, answer):
+    verdict = check(name, answer)
+    assert not verdict.ok and verdict.word == "Not attempted yet"
+
+
+@pytest.mark.parametrize("name", JUDGES)
+def test_each_exercise_has_wrong_answers_here(name):
+    assert sum(name == wrong for wrong, *_ in WRONG) >= 3
+
+
+class Hostile:
+    """Every question that is put to it raises."""
+
+    def __getattribute__(self, name):
+        raise RuntimeError(name)
+
+    def __repr__(self):
+        raise RuntimeError("repr")
+
+    __len__ = __iter__ = __array__ = __call__ = __eq__ = __float__ = __bool__ = __repr__
+    __hash__ = None
+
+
+def leave(*arguments):
+    raise SystemExit
+
+
+class Mute(Exception):
+    def __str__(self):
+        raise RuntimeError("str")
+
+
+def mutter(*arguments):
+    raise Mute
+
+
+scalars = (st.none() | st.just(...) | st.booleans() | st.integers() | st.floats() | st.text()
+           | st.binary() | st.complex_numbers() | st.sampled_from(
+               [leave, mutter, t1, sp.Symbol("x"), sp.zoo, sp.nan, sp.Function("f")(t1),
+                sp.Eq(t1, 1), np.eye(4), np.array(["a"]), np.array(None), object, print, int])
+           | st.builds(Hostile))
+values = st.recursive(scalars, lambda inner: st.lists(inner, max_size=5)
+                      | st.tuples(inner, inner, inner) | st.dictionaries(st.text(), inner))
+garbage = values | st.functions(like=lambda t, d, a, al: ..., returns=values)
+
+
+@pytest.mark.parametrize("name", JUDGES)
+@given(answer=garbage)
+def test_no_answer_makes_a_check_raise(name, answer):
+    verdict = check(name, answer)
+    assert isinstance(verdict, Verdict) and not verdict.ok
+    assert verdict.message and verdict.word in repr(verdict)
+
+
+@pytest.mark.parametrize("name", JUDGES)
+@pytest.mark.parametrize("answer", [
+    Hostile, lambda: [Hostile()] * 3, lambda: leave, lambda: mutter,
+    lambda: lambda *_: Hostile(), lambda: [[Hostile()], [Hostile()], [Hostile()]],
+], ids=["object", "list", "exit", "mute error", "result", "sets"])
+def test_hostile_answers_are_refused(name, answer):
+    assert check(name, answer()).word == "Not yet"
+
+
+def test_text_is_never_evaluated():
+    said = []
+    bomb = "__import__('sys').modules['test_exercises_bomb'] = 1"
+    for name in JUDGES:
+        said += [check(name, bomb), check(name, [bomb] * 3), check(name, lambda *_: bomb)]
+    assert not any(verdict.ok for verdict in said)
+    import sys
+    assert "test_exercises_bomb" not in sys.modules
+
+
+def test_a_verdict_is_frozen_and_says_its_word_without_colour():
+    verdict = check("alpha_ii.3", [{2, 3}, {1}, {1}])
+    html = verdict._repr_html_()
+    assert repr(verdict).startswith("✗ Not yet. ") and "<strong>✗ Not yet.</strong>" in html
+    assert " color:" not in html  # the text keeps the theme's own colour
+    with pytest.raises(FrozenInstanceError):
+        verdict.word = "Correct"
+
+
+def test_html_escapes_what_the_student_wrote():
+    assert "<script>" not in check("alpha_ii.2", "<script>")._repr_html_()
+
+
+def test_an_unknown_exercise_is_named():
+    with pytest.raises(ValueError, match=r"name: expected 'alpha_ii.1' or .*, got 'alpha_ii.9'"):
+        check("alpha_ii.9", 1)

@@ -1,0 +1,100 @@
+"""What the views of the workspace lesson draw is where it should be, and its answers are true."""
+from math import pi
+
+import numpy as np
+import pytest
+from test_two_link import places
+
+import kinlab as kl
+from kinlab.lessons import workspace as lesson
+
+close = np.testing.assert_allclose
+LIMITS = [(-20, 130, 0, 150), (-180, 180, -180, 180), (-90, 45, 30, 120), (0, 10, -90, 60)]
+
+
+def tip(t1, t2, l1=1.0, l2=0.6):
+    return np.stack([l1 * np.cos(t1) + l2 * np.cos(t1 + t2),
+                     l1 * np.sin(t1) + l2 * np.sin(t1 + t2)], axis=-1)
+
+
+def set_to(view, **values):
+    for name, value in values.items():
+        view[name].value = value
+    return view
+
+
+@pytest.mark.parametrize("l1, l2", [(1, 0.6), (0.5, 1.0), (0.8, 0.8)])
+def test_the_circles_are_those_of_the_stretched_and_the_folded_arm(l1, l2):
+    view = set_to(lesson.ring_view(), l_1=l1, l_2=l2, theta_1=50, theta_2=-70)
+    for name, radius in (("stretched", l1 + l2), ("folded", abs(l1 - l2))):
+        circle = places(view, name)
+        close(np.linalg.norm(circle, axis=1), radius, atol=1e-12)
+        close(circle[0], circle[-1], atol=1e-12)
+    close(view.readings["stretched"][0], [l1 + l2])
+    close(view.readings["folded"][0], [l1 - l2])
+    t1, t2 = np.radians([50, -70])
+    close(view.readings["p"][0], tip(t1, t2, l1, l2))
+    close(view.readings["p_1"][0], tip(0, t2, l1, l2))
+    close(places(view, "reach"), [[0, 0], tip(t1, t2, l1, l2)], atol=1e-12)
+
+
+def test_the_sweep_goes_all_over_the_ring():
+    poses = np.array(lesson.ring_view()._canvas.scene["poses"])
+    assert set(poses[:, 0]) == {-pi, 0, pi} and poses[0, 1] == 0 and poses[-1, 1] == pi
+    assert np.all(np.diff(poses[:, 1]) >= 0)
+
+
+def limited(low_1, high_1, low_2, high_2):
+    return set_to(lesson.limits_view(), from_1=low_1, to_1=high_1, from_2=low_2, to_2=high_2)
+
+
+@pytest.mark.parametrize("ends", LIMITS)
+def test_the_edges_are_the_sides_of_the_rectangle(ends):
+    view = limited(*ends)
+    low_1, high_1, low_2, high_2 = np.radians(ends)
+    turns, bends = np.linspace(low_1, high_1, 41), np.linspace(low_2, high_2, 29)
+    close(places(view, "bend-0"), tip(turns, low_2), atol=1e-12)
+    close(places(view, "bend-8"), tip(turns, high_2), atol=1e-12)
+    close(places(view, "turn-0"), tip(low_1, bends), atol=1e-12)
+    close(places(view, "turn-8"), tip(high_1, bends), atol=1e-12)
+    close(places(view, "bend-4"), tip(turns, (low_2 + high_2) / 2), atol=1e-12)
+
+
+@pytest.mark.parametrize("ends", LIMITS)
+def test_the_straightest_arm_is_the_farthest(ends):
+    line = places(limited(*ends), "straightest")
+    bends = np.radians(np.linspace(*ends[2:], 3001))
+    farthest = np.linalg.norm(tip(0, bends), axis=1).max()
+    close(np.linalg.norm(line, axis=1), farthest, atol=1e-6)
+
+
+@pytest.mark.parametrize("ends", LIMITS)
+@pytest.mark.parametrize("sweeps", [(0, 100), (30, 60)])
+def test_the_arm_keeps_its_limits(ends, sweeps):
+    view = set_to(limited(*ends), s_1=sweeps[0], s_2=sweeps[1])
+    t1, t2 = (low + share / 100 * (high - low) for low, high, share in
+              zip(np.radians(ends[::2]), np.radians(ends[1::2]), sweeps))
+    close(view.readings["p"][0], tip(t1, t2), atol=1e-12)
+
+
+def test_limits_to_begin_with():
+    view = lesson.limits_view((-90, 90), (30, 120))
+    assert [view[name].value for name in ("from_1", "to_1", "from_2", "to_2")] == pytest.approx(
+        [-90, 90, 30, 120])
+
+
+def test_the_wall_is_the_widest():
+    """By brute force: no wider range of the shoulder keeps the tool on its side."""
+    bends = np.radians(np.arange(0, 90.01, 0.1))
+    turns = np.radians(np.arange(-180, 180, 0.1))
+    clear = np.array([tip(t, bends)[:, 1].min() >= -1e-9 for t in turns])
+    close(np.degrees(turns[clear][[0, -1]]), [0, 149.0], atol=0.06)
+    assert clear.sum() == np.ptp(np.flatnonzero(clear)) + 1
+
+
+def test_nothing_comes_closer_to_the_shoulder_or_to_the_target():
+    """The solver, which knows nothing of triangles, misses both points by as much."""
+    for point, least in ((lesson._SHOULDER, lesson._CLOSEST), (lesson.TARGET, lesson._STRAIGHT)):
+        found = kl.inverse_kinematics(kl.robots.alpha_ii(), point)
+        assert not found.success
+        close(found.position_error, least, rtol=1e-5)
