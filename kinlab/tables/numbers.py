@@ -7,6 +7,7 @@ import operator
 import re
 from collections.abc import Mapping
 from keyword import iskeyword
+from typing import Any
 
 from ..arms import inputs
 
@@ -77,6 +78,14 @@ def read_number(text: str, names: Mapping[str, float] | None = None) -> tuple[fl
     return value + 0.0, angle  # no -0.0
 
 
+def name_refused(name: Any) -> str:
+    """Why a length cannot be called so, or ""."""
+    match = _TOKEN.fullmatch(name) if isinstance(name, str) else None
+    if match and match["name"] == name and not iskeyword(name) and name not in _RESERVED:
+        return ""
+    return f"{inputs.brief(name)} cannot be a length's name; use letters and digits, such as d2"
+
+
 class _Refused(Exception):
     """Why the text is no number."""
 
@@ -95,11 +104,8 @@ def _known(names: Mapping[str, float]) -> dict[str, float]:
     if not isinstance(names, Mapping):
         raise ValueError(f"names: expected names with their lengths, got {inputs.brief(names)}; "
                          "write {'d2': 500}")
-    for name in names:
-        match = _TOKEN.fullmatch(name) if isinstance(name, str) else None
-        if not match or match["name"] != name or iskeyword(name) or name in _RESERVED:
-            raise ValueError(f"names: {inputs.brief(name)} cannot be a length's name; "
-                             "use letters and digits, such as d2")
+    if reason := next(filter(None, map(name_refused, names)), ""):
+        raise ValueError(f"names: {reason}")
     return {name: inputs.number(f"names[{name!r}]", value)
             for name, value in names.items()} | {"pi": math.pi} | _UNITS
 

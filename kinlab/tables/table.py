@@ -21,7 +21,7 @@ from .cells import (
     read_angle,
     read_length,
 )
-from .numbers import LONGEST
+from .numbers import LONGEST, name_refused
 
 PARAMETERS = ("theta", "d", "a", "alpha")
 LIMITS = ("low", "high", "home")
@@ -156,7 +156,7 @@ class DHTable:
             _note(place, read_length, text, values, errors)
             if name in names:
                 errors[place] = f"{inputs.brief(name)} is there twice; rename one"
-            elif place in values and not (reason := _name_refused(name)):
+            elif place in values and not (reason := name_refused(name)):
                 names[name] = values[place]
             elif place in values:
                 errors[place] = reason
@@ -311,15 +311,6 @@ def _check_limits(i: int, row: Row, values: dict, errors: dict) -> None:
         errors[Place(i, column)] = "expected both limits, or neither"
     elif low is not None and high is not None and high - low < _NARROWEST:
         errors[Place(i, "high")] = "expected an upper limit above the lower one"
-
-
-def _name_refused(name: str) -> str:
-    """Why a length cannot be called so, or ""."""
-    try:
-        read_length(name, {name: 1.0})
-    except ValueError as error:
-        return str(error).removeprefix("names: ")
-    return ""
 
 
 def line(text: Any) -> str:
