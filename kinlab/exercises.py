@@ -1,15 +1,14 @@
 """Checks for students' answers: they never raise, and they name the slip.
 
-`judging` makes judges from references and slips; `lessons` holds those of each lesson.
+`answers` makes judges from references and slips; `lessons` holds those of each lesson.
 """
 from __future__ import annotations
 
-from collections.abc import Callable
 from typing import Any
 
 from . import lessons
-from .answers.judges import Blank, Wrong
-from .answers.verdict import BLANK, CORRECT, NOT_YET, Verdict
+from .answers.judges import Judge
+from .answers.verdict import NOT_YET, Verdict
 from .arms import inputs
 
 
@@ -26,7 +25,8 @@ def check(name: str, answer: Any) -> Verdict:
     Returns
     -------
     Verdict
-        With `ok` and `message`; in a notebook it shows itself as a coloured line.
+        With `ok` and `message`, and with `fault` where one place of a table is wrong; in a
+        notebook it shows itself as a coloured line.
 
     Raises
     ------
@@ -42,17 +42,13 @@ def check(name: str, answer: Any) -> Verdict:
     """
     judge = _judge(name)
     try:
-        return Verdict(CORRECT, judge(answer))
-    except Blank as blank:
-        return Verdict(BLANK, str(blank))
-    except Wrong as wrong:
-        return Verdict(NOT_YET, str(wrong))
+        return judge(answer)
     except (Exception, SystemExit) as error:  # the answer's own methods may raise anything
         return Verdict(NOT_YET, "Your answer could not be read: it raised "
                                 f"{type(error).__name__}. Hand over what the exercise asks for.")
 
 
-def _judge(name: Any) -> Callable[[Any], str]:
+def _judge(name: Any) -> Judge:
     lesson = inputs.choice("name", name.partition(".")[0] if isinstance(name, str) else name,
                            lessons.names())
     known = lessons.judges(lesson)

@@ -36,7 +36,7 @@ MATHEMATICS = {
     "robots": {"numpy", "arm"},
     "mechanism": {"numpy", "arm", "kinematics"},
     "verdict": set(),
-    "zero_pose": {"numpy", "arm", "kinematics", "mechanism"},
+    "zero_pose": {"numpy", "arm", "kinematics", "mechanism", "verdict"},
     "same_mechanism": {"numpy", "arm", "mechanism", "zero_pose", "verdict"},
     "placed_frames": {"numpy", "inputs", "arm", "kinematics", "verdict"},
     "numbers": {"inputs"},

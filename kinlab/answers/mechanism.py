@@ -34,10 +34,11 @@ from ..arms.arm import REVOLUTE, Arm, to_standard
 from ..arms.kinematics import link_frames
 
 # Half of the sixth decimal: an angle typed as 1.570796 counts as pi/2. Lengths: of each itself.
-TOLERANCE = 5e-7
+SIXTH_DECIMAL = 5e-7
 ROUNDING = 1e-9  # of the longest length
 FLAT = 1e-6  # a smaller singular value or slope is rounding noise
 MOST_PATTERNS, MOST_COMPARED = 4096, 256
+WORDS = {"alpha": "twist", "theta": "angle", "a": "length", "d": "offset"}
 
 
 def cross(u: np.ndarray, v: np.ndarray) -> np.ndarray:
@@ -109,7 +110,7 @@ class Layout:
     @cached_property
     def parallel(self) -> np.ndarray:
         """(n - 1,) whether axis i and axis i + 1 are parallel."""
-        return np.array([np.sin(t) <= TOLERANCE for t in self.twists], dtype=bool)
+        return np.array([np.sin(t) <= SIXTH_DECIMAL for t in self.twists], dtype=bool)
 
     @cached_property
     def twists(self) -> list[float]:
@@ -161,7 +162,7 @@ def basis(axes: Axes, group: Group) -> np.ndarray:
         e2 = cross(z, e1)
     else:
         e2 = cross(z, axes.z[third])
-        if np.linalg.norm(e2) <= TOLERANCE:  # parallel where the reference's are not
+        if np.linalg.norm(e2) <= SIXTH_DECIMAL:  # parallel where the reference's are not
             e2 = across if np.linalg.norm(across) > 0 else axes.x[first]
     e2 = e2 / np.linalg.norm(e2)
     return np.array([cross(e2, z), e2, z])
@@ -199,7 +200,7 @@ def turned_bend(bend: float, signs: np.ndarray, k: int, m: int) -> np.ndarray:
 
 def differ(a: np.ndarray, b: float) -> np.ndarray:
     """Whether angles differ, whole turns aside."""
-    return np.abs(wrapped(a - b)) > TOLERANCE
+    return np.abs(wrapped(a - b)) > SIXTH_DECIMAL
 
 
 def wrapped(angle: np.ndarray) -> np.ndarray:
@@ -207,7 +208,7 @@ def wrapped(angle: np.ndarray) -> np.ndarray:
     return np.angle(np.exp(1j * angle))
 
 
-class Fault(NamedTuple):
+class Deviation(NamedTuple):
     """One number of the answer's table that is off, and what it should be.
 
     `row` counts from 0 in the standard table; `parameter` is alpha, theta, a or d.
@@ -217,6 +218,11 @@ class Fault(NamedTuple):
     row: int
     got: float
     expected: float
+
+
+def own_row(i: int, parameter: str, convention: str) -> int:
+    """The row, from 1, of a table that holds a number of row i, from 0, of the standard one."""
+    return i + 1 + (convention == "modified" and parameter in ("alpha", "a"))
 
 
 def apart(a: float, b: float) -> tuple[str, str]:
@@ -231,12 +237,12 @@ def apart(a: float, b: float) -> tuple[str, str]:
 class Match(NamedTuple):
     """The best way to lay the answer's axes upon the reference's.
 
-    `signs` has a row for each sign pattern that is as good; `faults` belong to the first one.
+    `signs` has a row for each sign pattern that is as good; `deviations` belong to the first one.
     `single` where at most one number of the table is off.
     """
 
     signs: np.ndarray
-    faults: list[Fault]
+    deviations: list[Deviation]
     single: bool
 
 
@@ -252,10 +258,10 @@ def matched(answer: Axes, layout: Layout) -> Match:
     order = np.lexsort(((signs < 0).sum(axis=1), size, off))[:MOST_COMPARED]
     signs, off, gaps = signs[order], off[order], gaps[order]
     bars = (flipped[order][:, None] * slopes.reshape(2 * answer.n, -1)) @ layout.fixed
-    cost, fault = _lengths(answer, reference, gaps, bars)
+    cost, deviation = _lengths(answer, reference, gaps, bars)
     score = off + 0.6 * cost
     best = np.argmin(score)
-    lengths = [fault(best)] if cost[best] else []
+    lengths = [deviation(best)] if cost[best] else []
     return Match(signs[score == score[best]], [*_angles(answer, layout, signs[best]), *lengths],
                  bool(off[best] + cost[best] < 2))
 
@@ -279,7 +285,7 @@ def _patterns(answer: Axes, layout: Layout) -> tuple[np.ndarray, np.ndarray]:
 
 
 def _lengths(answer: Axes, reference: Axes, gaps: np.ndarray,
-             bars: np.ndarray) -> tuple[np.ndarray, Callable[[int], Fault]]:
+             bars: np.ndarray) -> tuple[np.ndarray, Callable[[int], Deviation]]:
     """What it costs to explain the gap of each sign pattern by one length, and that length.
 
     A gap is explained by a length whose slope it follows. Where several do (offsets along
@@ -291,7 +297,7 @@ def _lengths(answer: Axes, reference: Axes, gaps: np.ndarray,
     change = (bars @ gaps[..., None])[..., 0] / np.maximum(sizes, FLAT ** 2)
     change[sizes <= FLAT ** 2] = 0
     gap = np.linalg.norm(gaps, axis=1, keepdims=True)
-    right = np.all(np.abs(change) <= TOLERANCE * np.abs(values) + noise, axis=1) & (
+    right = np.all(np.abs(change) <= SIXTH_DECIMAL * np.abs(values) + noise, axis=1) & (
         gap[:, 0] <= noise * FLAT / ROUNDING)
     left = np.linalg.norm(gaps[:, None] - change[..., None] * bars, axis=-1)
     strange = np.abs(np.abs(values - change) - originals) > noise
@@ -299,31 +305,31 @@ def _lengths(answer: Axes, reference: Axes, gaps: np.ndarray,
                     2 + 0.1 * left / np.maximum(gap, noise))
     choice = np.argmin(cost, axis=1)
 
-    def fault(pattern: int) -> Fault:
+    def deviation(pattern: int) -> Deviation:
         k = choice[pattern]
         got, by = float(values[k]), float(change[pattern, k])
-        return Fault("ad"[k % 2], int(k // 2), got, got - by)
-    return np.where(right, 0, cost.min(axis=1)), fault
+        return Deviation("ad"[k % 2], int(k // 2), got, got - by)
+    return np.where(right, 0, cost.min(axis=1)), deviation
 
 
-def _angles(answer: Axes, layout: Layout, signs: np.ndarray) -> list[Fault]:
+def _angles(answer: Axes, layout: Layout, signs: np.ndarray) -> list[Deviation]:
     """Twists, then bends, that differ under a sign pattern."""
-    faults = []
+    deviations = []
     for i, expected in enumerate(layout.twists):
         if signs[i] != signs[i + 1]:
             expected = np.pi - expected
         if differ(answer.twist(i), expected):
-            faults.append(Fault("alpha", i, answer.arm.links[i].alpha, expected))
+            deviations.append(Deviation("alpha", i, answer.arm.links[i].alpha, expected))
     for (k, m), bend in layout.bends.items():
         expected, got = turned_bend(bend, signs, k, m), answer.bend(k, m)
         if differ(got, expected):
-            faults.append(_bent(answer, layout, range(k, m + 1), wrapped(expected - got)))
-    return faults
+            deviations.append(_bent(answer, layout, range(k, m + 1), wrapped(expected - got)))
+    return deviations
 
 
-def _bent(answer: Axes, layout: Layout, run: range, change: float) -> Fault:
+def _bent(answer: Axes, layout: Layout, run: range, change: float) -> Deviation:
     """Parallel prismatic joints add up their angles: name the one that is not the reference's."""
     changes = {i: change * np.sign(answer.z[i] @ answer.z[run[0]]) for i in run}
     mine, theirs = ([link.theta for link in axes.arm.links] for axes in (answer, layout.axes))
     k = min(run, key=lambda i: abs(wrapped(mine[i] + changes[i] - theirs[i])))
-    return Fault("theta", k, mine[k], float(mine[k] + changes[k]))
+    return Deviation("theta", k, mine[k], float(mine[k] + changes[k]))

@@ -15,9 +15,10 @@ from ..arms.arm import REVOLUTE, Arm
 from ..arms.kinematics import axis_frames, forward_kinematics, joint_values, link_frames
 from .verdict import CORRECT, NOT_YET, Verdict
 
-# In rad, and of the drawing's size: frames typed with four decimals pass. What passes is laid
-# upon the arm's own axes, so that the table that follows is exact.
-TOLERANCE = 3e-4
+# In rad, and of the drawing's size: frames typed with four decimals pass (each entry is off by
+# half of the fourth, and several add up). What passes is laid upon the arm's own axes, so that
+# the table that follows is exact.
+FOURTH_DECIMAL = 3e-4
 ROUNDING, PARALLEL = 1e-9, 1e-6
 
 
@@ -27,7 +28,7 @@ class Placement(Verdict):
 
     Attributes
     ----------
-    word, message, ok
+    word, message, ok, fault
         As in every verdict.
     arm : Arm or None
         The standard DH table that follows from valid frames. Its joint variables carry no
@@ -86,7 +87,7 @@ def examine_frames(frames: Sequence, reference: Arm, q: Any = None) -> Placement
             if fault := check(drawing, i):
                 return Placement(NOT_YET, fault)
             settle(drawing, i)
-    return Placement(CORRECT, "All frames keep the rules.", _table(drawing))
+    return Placement(CORRECT, "All frames keep the rules.", arm=_table(drawing))
 
 
 @dataclass(frozen=True, eq=False)
@@ -149,15 +150,15 @@ def _own(drawing: _Drawing, i: int) -> str:
     z, x = drawing.z[i], drawing.x[i]
     if i < drawing.reference.n:
         angle = _between_lines(z, drawing.joints[i][:3, 2])
-        if angle > TOLERANCE:
+        if angle > FOURTH_DECIMAL:
             return (f"z{i} must lie along the axis of joint {i + 1}, either way: "
                     f"turn it by {degrees(angle):.4g}°.")
         away = drawing.away(i, i)
-        if drawing.turns(i) and away > TOLERANCE * drawing.size:
+        if drawing.turns(i) and away > FOURTH_DECIMAL * drawing.size:
             return (f"The origin of frame {i} is {drawing.length(away)} away from the axis of "
                     f"joint {i + 1}: move it onto the axis.")
     tilt = _angle(x, z)
-    if abs(tilt - np.pi / 2) > TOLERANCE:
+    if abs(tilt - np.pi / 2) > FOURTH_DECIMAL:
         return (f"x{i} and z{i} are {degrees(tilt):.4g}° apart: the axes of a frame are "
                 f"perpendicular. Turn x{i} by {abs(90 - degrees(tilt)):.4g}°.")
     return ""
@@ -167,7 +168,7 @@ def _settle_on_axis(drawing: _Drawing, i: int) -> None:
     """Lay z exactly along the joint's axis, and the origin upon it where it has a place."""
     z, n = drawing.z, drawing.reference.n
     axis = drawing.joints[i][:3, 2] if i < n else z[n - 1]
-    if i < n or _between_lines(z[n], axis) <= TOLERANCE:
+    if i < n or _between_lines(z[n], axis) <= FOURTH_DECIMAL:
         z[i] = np.copysign(1, z[i] @ axis) * axis
     for k in [i] if drawing.turns(i) else _near(drawing, i):
         point = drawing.joints[k][:3, 3]
@@ -179,7 +180,7 @@ def _near(drawing: _Drawing, i: int) -> list[int]:
     """The turning axis, if any, on which the frame of a parallel slide was meant to sit."""
     found = [k for k, joint in enumerate(drawing.joints) if drawing.turns(k)
              and np.linalg.norm(np.cross(joint[:3, 2], drawing.z[i])) <= PARALLEL
-             and drawing.away(i, k) <= TOLERANCE * drawing.size]
+             and drawing.away(i, k) <= FOURTH_DECIMAL * drawing.size]
     return found[:1]
 
 
@@ -190,11 +191,11 @@ def _towards(drawing: _Drawing, i: int) -> str:
     z0, z, x = drawing.z[i - 1], drawing.z[i], drawing.x[i]
     span, normal = drawing.origins[i] - drawing.origins[i - 1], drawing.normal(i)
     tilt = _angle(x, z0)
-    if normal is not None and abs(tilt - np.pi / 2) > TOLERANCE:
+    if normal is not None and abs(tilt - np.pi / 2) > FOURTH_DECIMAL:
         return (f"Rule 1: x{i} is not perpendicular to z{i - 1} (they are {degrees(tilt):.4g}° "
                 f"apart): turn x{i} by {_turn(x, normal, z):.4g}° about z{i}.")
     miss = np.cross(x, z0)
-    if abs(span @ miss) <= TOLERANCE * drawing.size:
+    if abs(span @ miss) <= FOURTH_DECIMAL * drawing.size:
         return ""
     start = f"Rule 2: x{i} is perpendicular to z{i - 1} but does not meet it: "
     if normal is None:

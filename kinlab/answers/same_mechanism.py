@@ -8,22 +8,22 @@ import numpy as np
 
 from ..arms.arm import CONVENTIONS, Arm, _check_arm
 from .mechanism import (
-    TOLERANCE,
+    SIXTH_DECIMAL,
+    WORDS,
     Axes,
-    Fault,
+    Deviation,
     Layout,
     Match,
     apart,
     axes_of,
     differ,
     matched,
+    own_row,
     turned_bend,
     wrapped,
 )
-from .verdict import CORRECT, NOT_YET, Verdict
-from .zero_pose import standing_fault
-
-_WORDS = {"alpha": "twist", "theta": "angle", "a": "length", "d": "offset"}
+from .verdict import CORRECT, NOT_YET, Fault, Verdict
+from .zero_pose import misplaced
 
 
 def same_mechanism(answer: Arm, reference: Arm, *, strict: bool = False) -> Verdict:
@@ -47,6 +47,7 @@ def same_mechanism(answer: Arm, reference: Arm, *, strict: bool = False) -> Verd
     Verdict
         With `ok` and `message`: which joint is off and what it should be, or what was chosen
         differently in a right answer. One slip is named at a time, the twists before the lengths.
+        `fault` says where it is, by `row` and `column` of the answer's own table.
 
     Raises
     ------
@@ -62,32 +63,33 @@ def same_mechanism(answer: Arm, reference: Arm, *, strict: bool = False) -> Verd
     """
     _check_arm(answer)
     _check_arm(reference)
-    fault = _other_joints(answer, reference)
-    if fault:
-        return Verdict(NOT_YET, fault)
+    if other := _other_joints(answer, reference):
+        return other
     mine, theirs = axes_of(answer), axes_of(reference)
     layout = Layout(theirs)
     match = matched(mine, layout)
-    if match.faults:
-        return Verdict(NOT_YET, _refusal(answer, mine, layout, match))
+    if match.deviations:
+        return _refusal(answer, mine, layout, match)
     signs = _plainest(mine, theirs, match.signs)
-    stance = standing_fault(mine, theirs, signs) if strict else ""
-    return Verdict(NOT_YET, stance) if stance else Verdict(CORRECT, _praise(mine, theirs, answer,
-                                                                            reference, signs))
+    if strict and (stance := misplaced(mine, theirs, signs, answer.convention)):
+        return stance
+    return Verdict(CORRECT, _praise(mine, theirs, answer, reference, signs))
 
 
-def _other_joints(answer: Arm, reference: Arm) -> str:
-    """How the joints differ in number or type, or ""."""
+def _other_joints(answer: Arm, reference: Arm) -> Verdict | None:
+    """How the joints differ in number or type, or None."""
     if answer.n != reference.n:
-        return f"Your table has {_count(answer.n)}, the arm has {reference.n}. " + (
-            "One row belongs to each joint." if answer.n < reference.n else
-            "Only joints have rows: put a fixed tool into the tool frame.")
+        rule = ("One row belongs to each joint." if answer.n < reference.n else
+                "Only joints have rows: put a fixed tool into the tool frame.")
+        return Verdict(NOT_YET, f"Your table has {_count(answer.n)}, the arm has {reference.n}. "
+                                f"{rule}")
     for i, (row, joint) in enumerate(zip(answer.links, reference.links), start=1):
         if row.kind != joint.kind:
-            return (f"Joint {i} is {joint.kind} on the arm and {row.kind} in your table: its "
-                    f"variable is {joint.variable}{i}, so {joint.variable}{i} varies and "
-                    f"{row.variable}{i} is constant.")
-    return ""
+            message = (f"Joint {i} is {joint.kind} on the arm and {row.kind} in your table: its "
+                       f"variable is {joint.variable}{i}, so {joint.variable}{i} varies and "
+                       f"{row.variable}{i} is constant.")
+            return Verdict(NOT_YET, message, Fault(i, "kind"))
+    return None
 
 
 def _count(n: int) -> str:
@@ -97,76 +99,78 @@ def _count(n: int) -> str:
 # ---- A wrong table -------------------------------------------------------------------------------
 
 
-def _refusal(answer: Arm, mine: Axes, layout: Layout, match: Match) -> str:
+def _refusal(answer: Arm, mine: Axes, layout: Layout, match: Match) -> Verdict:
     other, = set(CONVENTIONS) - {answer.convention}
-    if not match.single and not matched(axes_of(replace(answer, convention=other)), layout).faults:
-        return (f"These numbers fit the {other} convention and were read as {answer.convention}. "
-                f"Say convention='{other}', or move alpha and a by one row.")
-    fault = match.faults[0]
-    speak = {"alpha": _twisted, "theta": _bent, "a": _long, "d": _off}[fault.parameter]
-    return speak(fault, answer, mine, layout, match) + _rounded(fault)
+    if not match.single and not matched(axes_of(replace(answer, convention=other)),
+                                        layout).deviations:
+        return Verdict(NOT_YET, f"These numbers fit the {other} convention and were read as "
+                                f"{answer.convention}. Say convention='{other}', or move alpha and "
+                                "a by one row.")
+    off = match.deviations[0]
+    speak = {"alpha": _twisted, "theta": _bent, "a": _long, "d": _off}[off.parameter]
+    fault = Fault(own_row(off.row, off.parameter, answer.convention), off.parameter)
+    return Verdict(NOT_YET, speak(off, answer, mine, layout, match) + _rounded(off), fault)
 
 
-def _start(fault: Fault, answer: Arm) -> str:
+def _start(off: Deviation, answer: Arm) -> str:
     """Joint, parameter and its value, named as in the student's own table."""
-    moved = answer.convention == "modified" and fault.parameter in ("alpha", "a")
-    row = fault.row + 1 + moved
-    where = f"{fault.parameter}{fault.row + 1}" + (f" (in row {row})" if moved else "")
-    return f"Joint {row}: the {_WORDS[fault.parameter]} {where} is {_shown(fault)[0]}"
+    row = own_row(off.row, off.parameter, answer.convention)
+    where = f"{off.parameter}{off.row + 1}" + f" (in row {row})" * (row > off.row + 1)
+    return f"Joint {row}: the {WORDS[off.parameter]} {where} is {_shown(off)[0]}"
 
 
-def _shown(fault: Fault, expected: float | None = None) -> tuple[str, str]:
+def _shown(off: Deviation, expected: float | None = None) -> tuple[str, str]:
     """Both values, with as many digits as it takes to tell them apart."""
-    values = fault.got, fault.expected if expected is None else expected
-    if fault.parameter in ("alpha", "theta"):
+    values = off.got, off.expected if expected is None else expected
+    if off.parameter in ("alpha", "theta"):
         return tuple(f"{text}°" for text in apart(*map(degrees, values)))
     return apart(*values)
 
 
-def _twisted(fault: Fault, answer: Arm, mine: Axes, layout: Layout, match: Match) -> str:
-    i, angle, theirs = fault.row, fault.expected, layout.axes
+def _twisted(off: Deviation, answer: Arm, mine: Axes, layout: Layout, match: Match) -> str:
+    i, angle, theirs = off.row, off.expected, layout.axes
     length = mine.a[i] * theirs.a[i] * np.sign(theirs.x[i] @ theirs.normal(i))
     side = match.signs[0, i] * match.signs[0, i + 1] * np.sign(length)
-    if mine.turns[i] and mine.turns[i + 1] and abs(length) > TOLERANCE * mine.longest ** 2:
+    if mine.turns[i] and mine.turns[i + 1] and abs(length) > SIXTH_DECIMAL * mine.longest ** 2:
         allowed = [side * angle]  # the length tells which way x points
     else:
-        allowed = sorted({angle, -angle if angle < pi - TOLERANCE else angle}, reverse=True)
-    texts = " or ".join(dict.fromkeys(_shown(fault, value)[1] for value in allowed))
+        allowed = sorted({angle, -angle if angle < pi - SIXTH_DECIMAL else angle}, reverse=True)
+    texts = " or ".join(dict.fromkeys(_shown(off, value)[1] for value in allowed))
     a, b = _z(answer, i), _z(answer, i + 1)
-    return f"{_start(fault, answer)}; from {a} to {b} it should be {texts}."
+    return f"{_start(off, answer)}; from {a} to {b} it should be {texts}."
 
 
-def _bent(fault: Fault, answer: Arm, mine: Axes, layout: Layout, match: Match) -> str:
-    return (f"{_start(fault, answer)}; it should be {_shown(fault)[1]}. A prismatic joint does "
+def _bent(off: Deviation, answer: Arm, mine: Axes, layout: Layout, match: Match) -> str:
+    return (f"{_start(off, answer)}; it should be {_shown(off)[1]}. A prismatic joint does "
             "not turn, so q cannot make up for this angle: the row has to hold it.")
 
 
-def _long(fault: Fault, answer: Arm, mine: Axes, layout: Layout, match: Match) -> str:
-    i = fault.row
-    text = f"{_start(fault, answer)}; it should be {_shown(fault)[1]}"
-    if abs(fault.got + fault.expected) > TOLERANCE * abs(fault.got):
+def _long(off: Deviation, answer: Arm, mine: Axes, layout: Layout, match: Match) -> str:
+    i = off.row
+    text = f"{_start(off, answer)}; it should be {_shown(off)[1]}"
+    if abs(off.got + off.expected) > SIXTH_DECIMAL * abs(off.got):
         return f"{text}."
-    if abs(sin(answer_twist := mine.arm.links[i].alpha)) > TOLERANCE:
+    if abs(sin(answer_twist := mine.arm.links[i].alpha)) > SIXTH_DECIMAL:
         turned = apart(degrees(-answer_twist), degrees(answer_twist))[0]
         return (f"{text}; or the twist alpha{i + 1} turns the wrong way and should be {turned}°: "
                 "the two must fit together.")
     return f"{text}: its sign is wrong."
 
 
-def _off(fault: Fault, answer: Arm, mine: Axes, layout: Layout, match: Match) -> str:
-    run = next(run for run in layout.runs if fault.row in run)
+def _off(off: Deviation, answer: Arm, mine: Axes, layout: Layout, match: Match) -> str:
+    run = next(run for run in layout.runs if off.row in run)
     turning = [f"d{i + 1}" for i in run if mine.turns[i]]
-    text = f"{_start(fault, answer)}; it should be {_shown(fault)[1]}"
+    text = f"{_start(off, answer)}; it should be {_shown(off)[1]}"
     if len(turning) < 2:
         return f"{text}."
     return f"{text}. These axes are parallel: {', '.join(turning)} count only together."
 
 
-def _rounded(fault: Fault) -> str:
-    close = abs(abs(fault.got) - abs(fault.expected)) < 2e-3
-    if close and fault.expected and fault.parameter in ("alpha", "theta"):
+def _rounded(off: Deviation) -> str:
+    close = abs(abs(off.got) - abs(off.expected)) < 2e-3
+    if close and off.expected and off.parameter in ("alpha", "theta"):
         return " It looks rounded: write pi/2 rather than 1.57."
-    if abs(fault.got) > 2 * pi + TOLERANCE and fault.parameter in ("alpha", "theta"):
+    if abs(off.got) > 2 * pi + SIXTH_DECIMAL and off.parameter in ("alpha", "theta"):
         return " Angles are in radians: write radians(90) for 90°."
     return ""
 
@@ -184,7 +188,7 @@ def _plainest(mine: Axes, theirs: Axes, signs: np.ndarray) -> np.ndarray:
 
     A turned first axis counts twice: the base frame turns with it.
     """
-    zeros = (np.abs(_zero_gaps(mine, theirs, signs)) > TOLERANCE).sum(axis=1)
+    zeros = (np.abs(_zero_gaps(mine, theirs, signs)) > SIXTH_DECIMAL).sum(axis=1)
     turned = (signs < 0).sum(axis=1) + (signs[:, 0] < 0)
     count = turned + (_sides(mine, theirs, signs) < 0).sum(axis=1) + zeros
     return signs[np.lexsort((zeros, count))[0]]
@@ -201,7 +205,7 @@ def _praise(mine: Axes, theirs: Axes, answer: Arm, reference: Arm, signs: np.nda
                for i in np.flatnonzero(_sides(mine, theirs, signs[None])[0] < 0)]
     chosen += [f"q{i + 1} counts from a zero {apart(abs(degrees(gap)), np.inf)[0]}° away"
                for i, gap in enumerate(_zero_gaps(mine, theirs, signs[None])[0])
-               if abs(gap) > TOLERANCE]
+               if abs(gap) > SIXTH_DECIMAL]
     chosen += [f"the origin on {_z(answer, i)} slid along it" for i in range(1, mine.n - 1)
                if mine.turns[i] and _unequal(mine.d[i] * signs[i], theirs.d[i], mine)]
     chosen += _other_ends(mine, theirs)
@@ -222,14 +226,14 @@ def _sides(mine: Axes, theirs: Axes, signs: np.ndarray) -> np.ndarray:
     """Whether each x between two axes points as theirs (1), the other way (-1), or freely (0)."""
     sides = np.zeros((len(signs), mine.n))
     for i in range(mine.n - 1):
-        turned = signs[:, i] * signs[:, i + 1] if sin(theirs.twist(i)) > TOLERANCE else 1
+        turned = signs[:, i] * signs[:, i + 1] if sin(theirs.twist(i)) > SIXTH_DECIMAL else 1
         sides[:, i] = _side(mine, i) * _side(theirs, i) * turned
     return sides
 
 
 def _side(axes: Axes, i: int) -> float:
     """Whether x points along the normal from axis i to axis i + 1 (1), against it, or neither."""
-    if sin(axes.twist(i)) > TOLERANCE:
+    if sin(axes.twist(i)) > SIXTH_DECIMAL:
         return np.sign(axes.x[i] @ axes.normal(i))
     both = axes.turns[i] and axes.turns[i + 1] and _unequal(axes.a[i], 0, axes)
     return np.sign(axes.a[i]) if both else 0.0
@@ -239,7 +243,7 @@ def _zero_gaps(mine: Axes, theirs: Axes, signs: np.ndarray) -> np.ndarray:
     """How far the zeros of revolute joints are apart, where axes that are not parallel tell."""
     gaps = np.zeros((len(signs), mine.n))
     for i in range(1, mine.n - 1):
-        bent = min(sin(theirs.twist(i - 1)), sin(theirs.twist(i))) > TOLERANCE
+        bent = min(sin(theirs.twist(i - 1)), sin(theirs.twist(i))) > SIXTH_DECIMAL
         if mine.turns[i] and bent:
             here = turned_bend(mine.bend(i, i), signs, i, i)
             gaps[:, i] = wrapped(here - theirs.bend(i, i))

@@ -18,9 +18,9 @@ import numpy as np
 
 from ..arms.arm import REVOLUTE, Arm, revolute, to_modified, to_standard
 from ..arms.kinematics import forward_kinematics
-from .judges import Blank, Judge, Wrong, first_of, is_stub
+from .judges import Judge, first_of, is_stub
 from .same_mechanism import same_mechanism
-from .verdict import NOT_YET, Verdict
+from .verdict import BLANK, NOT_YET, Fault, Verdict
 
 Slips = Sequence[tuple[str, Arm]]
 
@@ -41,24 +41,26 @@ def table(reference: Arm, *, ends: bool = False, strict: bool = False, slips: Sl
         other frames aside, is named behind what the examiner says.
     praise : str
     """
-    def judge(answer: Any) -> str:
+    def judge(answer: Any) -> Verdict:
         if is_stub(answer):
-            raise Blank("Replace the ... by kl.Arm([kl.revolute(...), ...]).")
+            return Verdict(BLANK, "Replace the ... by kl.Arm([kl.revolute(...), ...]).")
         if not isinstance(answer, Arm):
-            raise Wrong("Expected an arm, made with kl.Arm([kl.revolute(...), ...]).")
+            return Verdict(NOT_YET, "Expected an arm, made with kl.Arm([kl.revolute(...), ...]).")
         return examined(answer, reference, ends=ends, strict=strict, slips=slips, praise=praise)
     return judge
 
 
 def examined(answer: Arm, reference: Arm, *, ends: bool, strict: bool = False, slips: Slips = (),
-             praise: str) -> str:
-    """The praise for a right arm, with what was chosen differently; raises `Wrong` otherwise."""
+             praise: str) -> Verdict:
+    """What `table` says of an arm: what was chosen differently and the praise, or the slip."""
     verdict = _compared(answer, reference, ends, strict)
     if verdict.ok:
-        return f"{verdict.message} {praise}"
-    said = first_of(slips, lambda wrong: _same_numbers(answer, wrong)) or [
-        verdict.message, *first_of(slips, lambda wrong: _compared(answer, wrong, ends, strict).ok)]
-    raise Wrong(" ".join(said))
+        said = [verdict.message, praise]
+    else:
+        said = first_of(slips, lambda wrong: _same_numbers(answer, wrong)) or [
+            verdict.message,
+            *first_of(slips, lambda wrong: _compared(answer, wrong, ends, strict).ok)]
+    return replace(verdict, message=" ".join(said))
 
 
 def _same_numbers(answer: Arm, wrong: Arm) -> bool:
@@ -76,13 +78,13 @@ def _compared(answer: Arm, reference: Arm, ends: bool, strict: bool) -> Verdict:
     if not (verdict.ok and ends):
         return verdict
     tip = same_mechanism(_with_tip(answer), _with_tip(reference))
-    if tip.message.startswith(f"Joint {answer.n + 1}"):  # the last link of a modified table
+    if tip.fault and tip.fault.row > answer.n:  # the last link of a modified table
         return Verdict(NOT_YET, "The arm is right, but its tip is not: check the tool.")
     if not tip.ok:
         return tip
     if not same_mechanism(_on_floor(answer), _on_floor(reference)).ok:
         return Verdict(NOT_YET, f"Joint 1: the offset d1 is {answer.links[0].d:g}, but with frame "
-                                "0 on the floor it holds the height of the column.")
+                                "0 on the floor it holds the height of the column.", Fault(1, "d"))
     return verdict
 
 

@@ -1,4 +1,4 @@
-"""What a check has to say: a word, and a sentence the student acts on."""
+"""What a check has to say: a word, a sentence the student acts on, and where the fault is."""
 from __future__ import annotations
 
 from dataclasses import dataclass
@@ -12,6 +12,22 @@ _LOOKS = {CORRECT: ("✓", "0, 158, 115"), NOT_YET: ("✗", "213, 94, 0"),
 
 
 @dataclass(frozen=True)
+class Fault:
+    """Where an answer is wrong.
+
+    Attributes
+    ----------
+    row : int
+        Of the table as the student wrote it, counted from 1.
+    column : {"theta", "d", "a", "alpha", "kind"} or None
+        None where the row as a whole is meant.
+    """
+
+    row: int
+    column: str | None = None
+
+
+@dataclass(frozen=True)
 class Verdict:
     """What a check has to say.
 
@@ -20,10 +36,18 @@ class Verdict:
     word : {"Correct", "Not yet", "Not attempted yet"}
     message : str
     ok : bool
+    fault : Fault or None
+        Where the answer is wrong, if that is one place of a table.
+
+    Examples
+    --------
+    >>> Verdict(NOT_YET, "Joint 2: the length a2 is 170; it should be 177.8.", Fault(2, "a"))
+    ✗ Not yet. Joint 2: the length a2 is 170; it should be 177.8.
     """
 
     word: str
     message: str
+    fault: Fault | None = None
 
     @property
     def ok(self) -> bool:

@@ -1,22 +1,22 @@
 """What each lesson needs of its own: its views and the judges of its exercises, a module each.
 
-A module has a dictionary JUDGES, from names such as "alpha_ii.1" to judges made by `judging`.
+A module has a dictionary JUDGES, from names such as "alpha_ii.1" to judges made by `answers`.
 """
 from __future__ import annotations
 
-from collections.abc import Callable
 from importlib import import_module
 from pkgutil import iter_modules
 from typing import Any
 
+from ..answers.judges import Judge
+
 
 def names() -> tuple[str, ...]:
-    """The lessons that have a module here; those with an underscore only serve others."""
-    return tuple(module.name for module in iter_modules(__path__)
-                 if not module.ispkg and not module.name.startswith("_"))
+    """The lessons that have a module here."""
+    return tuple(module.name for module in iter_modules(__path__) if not module.ispkg)
 
 
-def judges(lesson: str) -> dict[str, Callable[[Any], str]]:
+def judges(lesson: str) -> dict[str, Judge]:
     """The judges of one lesson's exercises, by name."""
     return getattr(import_module(f"{__name__}.{lesson}"), "JUDGES", {})
 

@@ -1,26 +1,26 @@
 """Lesson 07, the Alpha II: its exercises' references, typical slips, and the words for them."""
 from __future__ import annotations
 
-from collections.abc import Callable
 from functools import partial
-from math import cos, degrees, pi, sin
-from typing import Any
+from math import cos, pi, sin
 
 import numpy as np
 
-from ..answers.judges import choices, expressions, function, joint_values
+from ..answers.conditions import (
+    degrees_slip,
+    meet,
+    one_of_many,
+    one_pose,
+    straight_down,
+    within_limits,
+)
+from ..answers.judges import Judge, choices, expressions, function
+from ..answers.matrices import link_matrix, matrix_entry
 from ..arms import kinematics, robots
-from ..arms.arm import Arm, revolute
 
 # ---- Exercise 1: the link transform -------------------------------------------------
 
-
-def _link(convention: str, theta: float, d: float, a: float, alpha: float) -> np.ndarray:
-    arm = Arm([revolute(d=d, a=a, alpha=alpha)], convention=convention)
-    return kinematics.forward_kinematics(arm, [theta])
-
-
-_A, _modified = partial(_link, "standard"), partial(_link, "modified")
+_A, _modified = link_matrix, partial(link_matrix, convention="modified")
 
 
 def _rotation_transposed(T: np.ndarray) -> np.ndarray:
@@ -130,29 +130,6 @@ _JOINT_HINTS = {
 # ---- Exercise 4: touch the table, tool straight down --------------------------------
 
 
-def _one_pose(answer: Any) -> np.ndarray:
-    q = kinematics.joint_values(_ALPHA_II, answer)
-    if q.ndim != 1:
-        raise ValueError(f"q: expected five joint values, got shape {q.shape}")
-    return q
-
-
-def _within_limits(q: np.ndarray) -> str:
-    for i, (value, link) in enumerate(zip(q, _ALPHA_II.links), start=1):
-        low, high = link.limits
-        if (excess := max(low - value, value - high)) > 1e-9:
-            return (f"Joint {i} is at {degrees(value):.6g}°, {degrees(excess):.4g}° beyond its "
-                    f"limits, {degrees(low):.6g}° and {degrees(high):.6g}°.")
-    return ""
-
-
-def _straight_down(q: np.ndarray) -> str:
-    x, y, z = kinematics.forward_kinematics(_ALPHA_II, q)[:3, 2]
-    off = degrees(np.arctan2(np.hypot(x, y), -z))
-    return "" if off <= 0.01 else (f"The tool is {off:.4g}° away from straight down; "
-                                   "0.01° is allowed.")
-
-
 def _on_the_table(q: np.ndarray) -> str:
     z = kinematics.forward_kinematics(_ALPHA_II, q)[2, 3]
     side = "above" if z > 0 else "below"
@@ -160,26 +137,19 @@ def _on_the_table(q: np.ndarray) -> str:
                                      f"{abs(z):.4g} mm {side} the table; 0.1 mm is allowed.")
 
 
-_TABLE = (_within_limits, _straight_down, _on_the_table)
-
-
-def _meets(q: np.ndarray) -> bool:
-    return not any(condition(q) for condition in _TABLE)
-
-
+_DOWN = straight_down(_ALPHA_II)
+_TABLE = (within_limits(_ALPHA_II), _DOWN, _on_the_table)
 _TABLE_SLIPS = [
-    ("These numbers look like degrees: q is in radians, so write np.radians([...]).",
-     lambda q: _meets(np.radians(q)) or np.max(np.abs(q)) > 2 * pi),
-    ("It points straight up.", lambda q: not _straight_down(q + [0, 0, 0, pi, 0])),
+    degrees_slip(_TABLE),
+    ("It points straight up.", lambda q: not _DOWN(q + [0, 0, 0, pi, 0])),
     ("It is the wrist that touches the table: the tip is d5 = 129.5 mm farther on.",
      lambda q: abs(kinematics.link_frames(_ALPHA_II, q)[3, 2, 3]) <= 0.1),
-    ("The sign of theta_4 is wrong.", lambda q: _meets(q * [1, 1, 1, -1, 1])),
+    ("The sign of theta_4 is wrong.", lambda q: meet(_TABLE, q * [1, 1, 1, -1, 1])),
 ]
 
-JUDGES: dict[str, Callable[[Any], str]] = {
+JUDGES: dict[str, Judge] = {
     "alpha_ii.1": function(
-        _A, _LINK_CASES, slips=_LINK_SLIPS,
-        entry=lambda index: f"the entry in row {index[0] + 1}, column {index[1] + 1}",
+        _A, _LINK_CASES, slips=_LINK_SLIPS, entry=matrix_entry,
         praise="Your function agrees in every case. It serves every link of every arm in "
                "standard DH parameters."),
     "alpha_ii.2": expressions(
@@ -190,8 +160,8 @@ JUDGES: dict[str, Callable[[Any], str]] = {
         _CHANGES, {1, 2, 3, 4, 5}, _JOINT_HINTS,
         praise="The height needs the three parallel joints, the direction adds the base, and "
                "only the full orientation feels the roll."),
-    "alpha_ii.4": joint_values(
-        _one_pose, _TABLE, slips=_TABLE_SLIPS,
+    "alpha_ii.4": one_of_many(
+        one_pose(_ALPHA_II, "five"), _TABLE, slips=_TABLE_SLIPS,
         praise="Straight down, on the table and inside the limits. This is one of many answers: "
                "two conditions leave three of the five joints free."),
 }

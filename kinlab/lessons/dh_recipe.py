@@ -1,19 +1,27 @@
 """Lesson 05, the DH recipe: a view of its two rules, and the judges of its exercises."""
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
+from functools import reduce
+from itertools import product
 from math import pi, radians
 from typing import Any
 
 import numpy as np
 
-from ..answers.judges import choices, values
+from ..answers.judges import Judge, choices, evaluated, expressions, first_of, is_stub, values
+from ..answers.matrices import link_matrix, matrix_place
+from ..answers.placed_frames import examine_frames
+from ..answers.table_judge import examined
+from ..answers.verdict import BLANK, CORRECT, NOT_YET, Fault, Verdict
+from ..arms import robots
+from ..arms.arm import Arm, prismatic, revolute
+from ..arms.kinematics import forward_kinematics, link_frames
 from ..arms.motions import ROTATE, TRANSLATE, X, Y, Z
 from ..drawing.scene import Vector, at
 from ..drawing.sketch import Sketch
 from ..views.link_view import motions_view, parameters_view
 from ..views.live import Knob, LiveView
-from . import _dh_recipe_exam
 
 __all__ = ["JUDGES", "motions_view", "parameters_view", "rules_view"]
 
@@ -65,6 +73,135 @@ _RULE_HINTS = {
     **{("links", k): _BOTH for k in range(1, 7)},
 }
 
+# ---- Exercises 2 to 5 and 7: the 2018 exam arm ----------------------------------------
+
+_EXAM = robots.exam_2018()
+_LENGTHS = dict(d_1=0.5, L_off=0.2, a_2=0.4)
+_D1, _L, _A2 = _LENGTHS.values()
+_JOINTS = ("theta_1", "theta_2", "d_3")
+_POINTS = [dict(zip(_JOINTS, q)) for q in ((0.3, 0.7, 0.45), (-1.2, 0.4, 0.6), (2.0, -0.9, 0.25))]
+Rows = np.ndarray
+
+
+def _rows(q1: float, q2: float, q3: float) -> Rows:
+    """The table: a row (theta, d, a, alpha) for each link."""
+    return np.array([[q1, _D1, 0, pi / 2], [q2 + pi / 2, _L, _A2, pi / 2], [pi / 2, q3, 0, 0]])
+
+
+def _changed(change: Callable[[Rows], Any], *q: float) -> Rows:
+    rows = _rows(*q)
+    change(rows)
+    return rows
+
+
+def _without_offset(rows: Rows) -> None:
+    rows[1, 0] -= pi / 2
+
+
+def _twisted_back(rows: Rows) -> None:
+    rows[:, 3] *= -1
+
+
+def _lengths_swapped(rows: Rows) -> None:
+    rows[:, [1, 2]] = rows[:, [2, 1]]
+
+
+def _moved_down(rows: Rows) -> None:
+    rows[:, 2:] = np.vstack([[0, 0], rows[:-1, 2:]])
+
+
+_OFFSET = ("The offset of joint 2 is missing: when theta_2* is 0, x2 already stands 90° away from "
+           "x1.", _without_offset)
+_TWIST = ("The sign of alpha is wrong: turn z_{i-1} to z_i about x_i by the right-hand rule.",
+          _twisted_back)
+_SWAPPED = ("d and a have changed places: d is measured along z, a along x.", _lengths_swapped)
+_MOVED = ("a and alpha stand one row too low: that is the modified (Craig) table. In the standard "
+          "one row i holds a_i and alpha_i.", _moved_down)
+
+# ---- Exercise 2: the table --------------------------------------------------------------
+
+_COLUMNS = ("theta", "d", "a", "alpha")
+_CELLS = [f"{name} of row {i}" for i in (1, 2, 3) for name in _COLUMNS]
+
+
+def _table(numbers: list[list[float]]) -> Verdict:
+    """What there is to say of a table, known with all joints at zero and at the points."""
+    tables = np.reshape(numbers, (-1, 3, 4))
+    moved = tables[1:] - tables[0]
+    places = [np.flatnonzero(np.abs(moved[:, i]).max(axis=0) > 1e-9).tolist() for i in range(3)]
+    if misplaced := _misplaced(moved, places):
+        return misplaced
+    arm = _arm_of(tables[0], [(revolute, prismatic)[place] for place, in places])
+    slips = [(message, _arm_of(_changed(change, 0, 0, 0)))
+             for message, change in (_SWAPPED, _MOVED)]
+    verdict = examined(arm, _EXAM, ends=True, slips=slips,
+                       praise="Twelve numbers, three of them variables.")
+    if not verdict.ok or stands_as(arm, _EXAM):
+        return verdict
+    hints = first_of((_OFFSET, _TWIST), lambda change: stands_as(
+        arm, _arm_of(_changed(change, 0, 0, 0))))
+    return Verdict(NOT_YET, " ".join(["The mechanism is right, but where theta_2* = 0 and d_3* = 0 "
+                                      "it does not stand as in the view.", *hints]))
+
+
+def _misplaced(moved: np.ndarray, places: list[list[int]]) -> Verdict | None:
+    """The first row whose joint variable does not stand by itself in theta or d."""
+    for i, (joint, place) in enumerate(zip(_JOINTS, places)):
+        q = [point[joint] for point in _POINTS]
+        if place not in ([0], [1]) or not np.allclose(np.abs(moved[:, i, place[0]]), np.abs(q)):
+            hint = f" {_SWAPPED[0]}" * (place == [2])
+            return Verdict(NOT_YET, f"Row {i + 1}: its joint variable is {joint}. It stands in "
+                           "theta or in d, alone or with a constant added, and in no other "
+                           f"place.{hint}", Fault(i + 1))
+    return None
+
+
+def _arm_of(rows: Rows, kinds: Sequence[Callable] = (revolute, revolute, prismatic)) -> Arm:
+    return Arm([make(**dict(zip(_COLUMNS, row))) for make, row in zip(kinds, rows)])
+
+
+def stands_as(answer: Arm, reference: Arm) -> bool:
+    """Whether the tip is as far from the floor's origin as it should be, in every pose.
+
+    That depends on the zeros of theta_2 and d_3, but neither on frames nor on signs of joints.
+    """
+    poses = np.random.default_rng(0).uniform(-2, 2, (9, 3))
+    wanted = np.linalg.norm(forward_kinematics(reference, poses)[:, :3, 3], axis=1)
+    return any(np.allclose(np.linalg.norm(forward_kinematics(answer, poses * signs)[:, :3, 3],
+                                          axis=1), wanted) for signs in product((1, -1), repeat=3))
+
+
+# ---- Exercises 3 to 5: the matrices of the view's frames --------------------------------
+
+
+def _product(links: slice, rows: Rows, convention: str = "standard") -> np.ndarray:
+    """The transform over a stretch of links, its entries row by row."""
+    return reduce(np.matmul, [link_matrix(*row, convention) for row in rows[links]]).ravel()
+
+
+def _matrix_judge(links: slice, praise: str, slips: Sequence = ()) -> Judge:
+    """Judge of the sixteen entries of a product of link matrices."""
+    def right(*q: float) -> np.ndarray:
+        return _product(links, _rows(*q))
+
+    known = [
+        *slips,
+        ("This is the transpose: the axes of the new frame are columns.",
+         lambda *q: right(*q).reshape(4, 4).T.ravel()),
+        ("This is the inverse: it takes coordinates the other way.",
+         lambda *q: np.linalg.inv(right(*q).reshape(4, 4)).ravel()),
+        ("This is the modified (Craig) order, Rx Tx Rz Tz; the lecture's is Rz Tz Tx Rx.",
+         lambda *q: _product(links, _rows(*q), "modified")),
+        *((message, lambda *q, change=change: _product(links, _changed(change, *q)))
+          for message, change in (_OFFSET, _TWIST, _SWAPPED)),
+    ]
+    return expressions(_ENTRIES, right, _POINTS, constants=_LENGTHS, slips=known, praise=praise)
+
+
+_ENTRIES = [matrix_place(index) for index in np.ndindex(4, 4)]
+_REVERSED = [("The factors stand in the wrong order: H_2^0 is A_1 times A_2.",
+              lambda *q: _product(slice(1, None, -1), _rows(*q)))]
+
 # ---- Exercise 6: parameters from a matrix ---------------------------------------------
 
 _MEASURED = np.array([radians(150), 0.3, -0.5, radians(-60)])
@@ -80,13 +217,47 @@ _MEASURE_SLIPS = [
     ("d and a have changed places.", _MEASURED[[0, 2, 1, 3]]),
 ]
 
-JUDGES: dict[str, Callable[[Any], str]] = {
+# ---- Exercise 7: frames of one's own ----------------------------------------------------
+
+
+def _frames(answer: Any) -> Verdict:
+    if _untouched(answer):
+        return Verdict(BLANK, "Replace every ... by three numbers.")
+    try:
+        placement = examine_frames(answer, _EXAM)
+    except ValueError as error:
+        return Verdict(NOT_YET, f"{error}.")
+    if not placement.ok:
+        return placement
+    view, own = link_frames(_EXAM, _EXAM.home), link_frames(placement.arm, placement.arm.home)
+    turned = [i for i in range(3) if view[i, :3, 2] @ own[i, :3, 2] < 0]
+    if not turned:
+        return Verdict(NOT_YET, "All frames keep the rules, but every z points as in the view: "
+                                "turn z0, z1 or z2 round, and see which x axes may stay.")
+    return Verdict(CORRECT, " ".join([placement.message, *(
+        f"z{i} points the other way, so joint {i + 1} counts backwards." for i in turned)]))
+
+
+def _untouched(answer: Any) -> bool:
+    """Whether all that is in nested lists is still the stub."""
+    if isinstance(answer, (list, tuple)):
+        return bool(answer) and all(map(_untouched, answer))
+    return is_stub(answer)
+
+
+JUDGES: dict[str, Judge] = {
     "dh_recipe.1": choices(
         _KEPT, {1, 2, 3, 4, 5, 6}, _RULE_HINTS, noun="transform",
         praise="Each rule takes away one freedom; 4 shows that turning x can repair a miss."),
-    **_dh_recipe_exam.JUDGES,
+    "dh_recipe.2": evaluated(
+        _CELLS, [dict.fromkeys(_JOINTS, 0.0), *_POINTS], _LENGTHS, _table),
+    "dh_recipe.3": _matrix_judge(slice(0, 1), "A_1 turns the column and lifts it by d_1."),
+    "dh_recipe.4": _matrix_judge(slice(1, 2), "The offset has turned cosines into sines."),
+    "dh_recipe.5": _matrix_judge(
+        slice(0, 2), "Column 4 is the elbow, column 3 the direction in which joint 3 will slide.",
+        _REVERSED),
     "dh_recipe.6": values(
-        _MEASURED, entry=lambda index: ("theta", "d", "a", "alpha")[index[0]],
-        slips=_MEASURE_SLIPS,
+        _MEASURED, entry=lambda index: _COLUMNS[index[0]], slips=_MEASURE_SLIPS,
         praise="Four numbers out, and the four motions lead back to the same matrix."),
+    "dh_recipe.7": _frames,
 }

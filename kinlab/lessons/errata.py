@@ -1,13 +1,13 @@
 """Appendix, the lectures' misprints: its exercises' references and typical slips."""
 from __future__ import annotations
 
-from collections.abc import Callable
-from math import cos, pi, sin
+from math import cos, sin
 from typing import Any
 
 import numpy as np
 
-from ..answers.judges import Wrong, choices, expressions, joint_values
+from ..answers.conditions import degrees_slip, one_of_many
+from ..answers.judges import Judge, choices, expressions
 from ..arms import inputs
 
 
@@ -30,10 +30,7 @@ _COLUMN_SLIPS = [
 
 
 def _four_twists(answer: Any) -> np.ndarray:
-    try:
-        return inputs.shaped("twists", answer, (4,), "four angles in radians")
-    except ValueError as error:
-        raise Wrong(f"{error}.") from None
+    return inputs.shaped("twists", answer, (4,), "four angles in radians")
 
 
 def _none_zero(twists: np.ndarray) -> str:
@@ -51,13 +48,12 @@ def _hidden(twists: np.ndarray) -> str:
 
 
 _TWIST_SLIPS = [
-    ("These numbers look like degrees: write np.radians([...]).",
-     lambda twists: np.max(np.abs(twists)) > 2 * pi),
+    degrees_slip(hint="write np.radians([...])"),
     ("Different twists can hide it, too, but their cosines must be equal.",
      lambda twists: len(set(np.round(np.abs(twists), 9))) == 4),
 ]
 
-JUDGES: dict[str, Callable[[Any], str]] = {
+JUDGES: dict[str, Judge] = {
     "errata.1": choices(
         {"wrong lines": {3, 4}}, {1, 2, 3, 4},
         {("wrong lines", 1): "Try both joints at zero, then at 90°.",
@@ -68,7 +64,7 @@ JUDGES: dict[str, Callable[[Any], str]] = {
     "errata.2": expressions(
         ("p_x", "p_y", "p_z"), _column, _LINKS, constants={}, slips=_COLUMN_SLIPS,
         praise="The last column holds no alpha."),
-    "errata.3": joint_values(
+    "errata.3": one_of_many(
         _four_twists, (_none_zero, _hidden), slips=_TWIST_SLIPS,
         praise="Equal cosines hide the slip, in every pose. A test needs a case that can fail."),
 }

@@ -1,16 +1,15 @@
 """Lesson 03, homogeneous transforms: the growing expression, and the judges of its exercises."""
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass
 from functools import partial
 from math import pi, radians
-from typing import Any
 
 import numpy as np
 import sympy as sp
 
-from ..answers.judges import expressions, function
+from ..answers.judges import Judge, expressions, function
+from ..answers.matrices import matrix_entry
 from ..arms import transforms
 from .views.homogeneous import chain, combined, fixed, order, seen_back, spatial
 
@@ -158,13 +157,9 @@ _CART_SLIPS = [
 ]
 
 
-def _entry(index: tuple) -> str:
-    return f"the entry in row {index[0] + 1}, column {index[1] + 1}"
-
-
-JUDGES: dict[str, Callable[[Any], str]] = {
+JUDGES: dict[str, Judge] = {
     "homogeneous.1": function(
-        _H, _H_CASES, entry=_entry, slips=_H_SLIPS,
+        _H, _H_CASES, entry=matrix_entry, slips=_H_SLIPS,
         praise="Rotation and origin stand side by side, and the last row makes room for both."),
     "homogeneous.2": expressions(
         ("x", "y"), _back, _H_CASES[1:], constants={}, slips=_BACK_SLIPS,
@@ -174,6 +169,6 @@ JUDGES: dict[str, Callable[[Any], str]] = {
         [dict(n=1), dict(n=4), dict(n=9)], constants={}, slips=_COUNT_SLIPS,
         praise="Ten frames: 55 rotations and 2047 products in one component, or ten matrices H."),
     "homogeneous.4": function(
-        _cart, _CART_CASES, entry=_entry, slips=_CART_SLIPS,
+        _cart, _CART_CASES, entry=matrix_entry, slips=_CART_SLIPS,
         praise="Fixed axes on the left, own axes on the right, in the order of time."),
 }

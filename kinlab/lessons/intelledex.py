@@ -9,7 +9,8 @@ from typing import Any
 
 import numpy as np
 
-from ..answers.judges import Wrong, choices, expressions, joint_values
+from ..answers.conditions import degrees_slip, one_of_many
+from ..answers.judges import Judge, choices, expressions
 from ..answers.table_judge import table
 from ..arms import kinematics, robots
 from ..arms.arm import Arm
@@ -102,12 +103,9 @@ _WRIST_HOME, _LEFT = np.array([609.6, 0.0, 373.4]), np.array([cos(pi / 4), sin(p
 
 
 def _six_values(answer: Any) -> np.ndarray:
-    try:
-        q = kinematics.joint_values(_ARM, answer)
-    except ValueError as error:
-        raise Wrong(f"{error}.") from None
+    q = kinematics.joint_values(_ARM, answer)
     if q.ndim != 1:
-        raise Wrong("Hand over six joint values in one list.")
+        raise ValueError("Hand over six joint values in one list")
     return q
 
 
@@ -123,18 +121,14 @@ def _points_left(q: np.ndarray) -> str:
             "45° to the left." if angle > 0.01 else "")
 
 
-def _meets(q: np.ndarray) -> bool:
-    return not (_wrist_stays(q) or _points_left(q))
-
-
 def _points_right(q: np.ndarray) -> bool:
     a = kinematics.forward_kinematics(_ARM, q)[:3, 2]
     return not _wrist_stays(q) and np.allclose(a, _LEFT * [1, -1, 1], atol=1e-4)
 
 
+_YAW = (_wrist_stays, _points_left)
 _YAW_SLIPS = [
-    ("These numbers look like degrees: q is in radians, so write np.radians([...]).",
-     lambda q: _meets(np.radians(q)) or np.max(np.abs(q)) > 4 * pi),
+    degrees_slip(_YAW, 4 * pi),
     ("It points 45° to the right; joint 5 turns the other way.", _points_right),
     ("Without a roll of the shoulder the tool can only nod up and down.",
      lambda q: not _wrist_stays(q) and abs(cos(q[1])) < 1e-6),
@@ -142,7 +136,7 @@ _YAW_SLIPS = [
      lambda q: not np.allclose(q[0], pi / 2)),
 ]
 
-JUDGES: dict[str, Callable[[Any], str]] = {
+JUDGES: dict[str, Judge] = {
     "intelledex.1": table(
         _ARM, ends=True, slips=_TABLE_SLIPS,
         praise="Add a cell with kl.ArmView(my_arm) and see it."),
@@ -153,7 +147,7 @@ JUDGES: dict[str, Callable[[Any], str]] = {
     "intelledex.3": choices(
         _CHANGES, set(range(1, 7)), _HINTS,
         praise="The wrist needs four joints, so no three joints place it."),
-    "intelledex.4": joint_values(
-        _six_values, (_wrist_stays, _points_left), slips=_YAW_SLIPS,
+    "intelledex.4": one_of_many(
+        _six_values, _YAW, slips=_YAW_SLIPS,
         praise="A pitch joint has yawed the tool, and the wrist has not moved."),
 }

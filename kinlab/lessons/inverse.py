@@ -2,14 +2,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from math import degrees, pi
+from math import degrees
 from typing import Any
 
 import numpy as np
 
-from ..answers.judges import choices, function, joint_values
+from ..answers.conditions import degrees_slip, one_of_many, one_pose, straight_down, within_limits
+from ..answers.judges import Judge, choices, function
 from ..arms import inputs, kinematics, robots
-from .alpha_ii import _one_pose, _straight_down, _within_limits
 
 _TWO, _ALPHA_II = robots.two_link(), robots.alpha_ii()
 
@@ -130,10 +130,8 @@ def _other_elbow(pair: np.ndarray) -> bool:
     return np.isclose(pair[0, 0], pair[1, 0]) and np.isclose(pair[0, 1], -pair[1, 1])
 
 
-_TWO_WAYS = (_both_reach, _on_both_sides)
 _PAIR_SLIPS = [
-    ("These look like degrees: write np.radians([...]).",
-     lambda pair: not _both_reach(np.radians(pair)) or np.max(np.abs(pair)) > 2 * pi),
+    degrees_slip((_both_reach,), subject="These", hint="write np.radians([...])"),
     ("Bending the elbow the other way moves the tool, unless joint 1 turns as well.", _other_elbow),
 ]
 
@@ -147,16 +145,9 @@ def _there(q: np.ndarray) -> str:
     return "" if miss <= 0.1 else f"The tip is {miss:.4g} mm from the part; 0.1 mm is allowed."
 
 
-_PICK = (_within_limits, _straight_down, _there)
-
-
-def _picks(q: np.ndarray) -> bool:
-    return not any(condition(q) for condition in _PICK)
-
-
+_PICK = (within_limits(_ALPHA_II), straight_down(_ALPHA_II), _there)
 _PICK_SLIPS = [
-    ("These numbers look like degrees: q is in radians.",
-     lambda q: _picks(np.radians(q)) or np.max(np.abs(q)) > 2 * pi),
+    degrees_slip(_PICK, hint="q is in radians"),
     ("The tip is in place. A target that is only a point says nothing of the tool's direction: "
      "hand over a whole pose.", lambda q: not _there(q)),
     ("The tool points up: the third column of the target's rotation is the approach vector.",
@@ -165,7 +156,7 @@ _PICK_SLIPS = [
      lambda q: np.linalg.norm(kinematics.link_frames(_ALPHA_II, q)[3, :3, 3] - PLACE) < 0.1),
 ]
 
-JUDGES: dict[str, Callable[[Any], str]] = {
+JUDGES: dict[str, Judge] = {
     "inverse.1": function(
         _SOLVED, _NEWTON_CASES, slips=_NEWTON_SLIPS,
         entry=lambda index: f"theta_{index[0] + 1} (rad)",
@@ -179,12 +170,12 @@ JUDGES: dict[str, Callable[[Any], str]] = {
         _MOVERS, {1, 2, 3, 4, 5}, _MOVER_HINTS,
         praise="No joint moves the tip along x: the arm is stretched, and inwards it can only "
                "start by bending."),
-    "inverse.4": joint_values(
-        _pair, _TWO_WAYS, slips=_PAIR_SLIPS, noun="two pairs of joint values",
+    "inverse.4": one_of_many(
+        _pair, (_both_reach, _on_both_sides), slips=_PAIR_SLIPS, noun="two pairs of joint values",
         praise=f"One point, two arms. Its distance is 1.5 m, so the elbow is bent by "
                f"{degrees(np.arccos(0.125)):.2f}° to one side or the other."),
-    "inverse.5": joint_values(
-        _one_pose, _PICK, slips=_PICK_SLIPS,
+    "inverse.5": one_of_many(
+        one_pose(_ALPHA_II, "five"), _PICK, slips=_PICK_SLIPS,
         praise="The tip is at the part, straight down, within the limits. The turn of the gripper "
                "is free, and joint 5 alone decides it."),
 }

@@ -6,7 +6,8 @@ from math import cos, pi, radians, sin
 
 import numpy as np
 
-from ..answers.judges import choices, function, values
+from ..answers.judges import Judge, choices, function, values
+from ..answers.matrices import matrix_entry
 from ..arms.motions import ROTATE, TRANSLATE, X, Y, Z
 from ..arms.transforms import rotation_2d
 from ..drawing.scene import Point, at
@@ -112,13 +113,6 @@ def _table(letters: str) -> dict:
 
 # ---- Exercise 1: the matrix -----------------------------------------------------------
 
-_ROW_COLUMN = "the entry in row {}, column {}"
-
-
-def _entry(index: tuple) -> str:
-    return _ROW_COLUMN.format(index[0] + 1, index[1] + 1)
-
-
 _TURN_SLIPS = [
     ("The angle arrives in radians; do not convert it.", lambda t: rotation_2d(radians(t))),
     ("The angle arrives in radians already: no conversion is needed.",
@@ -176,13 +170,13 @@ _CAMERA_SLIPS = [
     ("Nothing is turned here: the camera would look up along z₀.", np.eye(3)),
 ]
 
-JUDGES = {
+JUDGES: dict[str, Judge] = {
     "rotation.1": function(
-        rotation_2d, [{"theta": t} for t in (0.0, pi / 6, -2.0, 4.0)], entry=_entry,
+        rotation_2d, [{"theta": t} for t in (0.0, pi / 6, -2.0, 4.0)], entry=matrix_entry,
         slips=_TURN_SLIPS,
         praise="Your function agrees at every angle. kinlab's own is rotation_2d."),
     "rotation.2": values(
-        _R, entry=_entry, slips=_READ_SLIPS,
+        _R, entry=matrix_entry, slips=_READ_SLIPS,
         praise="One axis was enough: the other one follows by a quarter turn to the left."),
     "rotation.3": values(
         _R.T @ _C0, entry=lambda index: f"the {'xy'[index[0]]} of c_1", slips=_SEEN_SLIPS,
@@ -191,7 +185,7 @@ JUDGES = {
         {"rotations": _RIGHT_ROTATIONS}, {1, 2, 3, 4, 5, 6}, _ROTATION_HINTS, noun="matrix",
         praise="Columns of length 1, perpendicular, determinant +1: all three are needed."),
     "rotation.5": values(
-        _CAMERA, entry=_entry, slips=_CAMERA_SLIPS,
+        _CAMERA, entry=matrix_entry, slips=_CAMERA_SLIPS,
         praise="This is how most cameras on robots are described. What the camera sees at "
                "(0, 0, 2), the robot finds two units ahead."),
 }

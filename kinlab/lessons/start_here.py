@@ -2,12 +2,14 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from math import cos, pi, radians, sin
+from functools import partial
+from math import cos, inf, pi, radians, sin
 from typing import Any
 
 import numpy as np
 
-from ..answers.judges import choices, joint_values, values
+from ..answers.conditions import degrees_slip, meet, one_of_many
+from ..answers.judges import Judge, choices, values
 from ..arms import inputs, kinematics, robots
 from ..drawing.arm_scene import arm_scene
 from ..drawing.scene import LINE, TEXT, Item, Reading, Vector, at
@@ -104,17 +106,15 @@ def _elbows_differ(q: np.ndarray) -> str:
         "Both pairs reach the target, but in the same way. Bend the elbow to the other side.")
 
 
-_TWO_WAYS = (lambda q: _reaches(0, q), lambda q: _reaches(1, q), _elbows_differ)
+_BOTH_REACH = (partial(_reaches, 0), partial(_reaches, 1))
 _WAY_SLIPS = [
-    ("These look like degrees: q is in radians, so write np.radians([...]).",
-     lambda q: not any(_reaches(k, np.radians(q)) for k in (0, 1))),
-    ("The pairs have to be rows: each holds θ₁ and θ₂.",
-     lambda q: not any(_reaches(k, q.T) for k in (0, 1))),
+    degrees_slip(_BOTH_REACH, inf, subject="These"),
+    ("The pairs have to be rows: each holds θ₁ and θ₂.", lambda q: meet(_BOTH_REACH, q.T)),
     ("Only the sign of θ₂ has changed; θ₁ has to make up for it.",
      lambda q: np.allclose(q[1], q[0] * [1, -1], atol=0.02)),
 ]
 
-JUDGES = {
+JUDGES: dict[str, Judge] = {
     "start_here.1": choices(
         _QUESTIONS, {1, 2, 3, 4, 5, 6}, _QUESTION_HINTS, noun="question",
         praise="Joint values given: forward. Joint values asked for: inverse."),
@@ -127,8 +127,8 @@ JUDGES = {
     "start_here.4": choices(
         {"meaningful": {1, 4, 5, 6}}, {1, 2, 3, 4, 5, 6}, _PRODUCT_HINTS, noun="line",
         praise="Neighbouring indices must agree. The last line is T_01 @ T_12 in disguise."),
-    "start_here.5": joint_values(
-        _two_ways, _TWO_WAYS, slips=_WAY_SLIPS,
+    "start_here.5": one_of_many(
+        _two_ways, (*_BOTH_REACH, _elbows_differ), slips=_WAY_SLIPS,
         praise="One position, two answers. Forward kinematics never has that trouble: each pair "
                "of joint values has one tip."),
 }

@@ -3,7 +3,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from ..answers.judges import expressions, values
+from ..answers.judges import Judge, expressions, values
 from ..arms.motions import TRANSLATE, X, Y
 from ..drawing.scene import Point, at
 from ..drawing.sketch import Sketch
@@ -166,7 +166,7 @@ _BETWEEN_SLIPS = [
      "opposite directions?", 0 * _C),
 ]
 
-JUDGES = {
+JUDGES: dict[str, Judge] = {
     "translation.1": values(
         _THERE_AND_BACK, entry=_entry, slips=_SLIPS,
         praise="Add on the way to the room, subtract on the way back."),

@@ -7,7 +7,8 @@ from typing import Any
 
 import numpy as np
 
-from ..answers.judges import expressions, function, joint_values
+from ..answers.conditions import degrees_slip, meet, one_of_many
+from ..answers.judges import Judge, expressions, function
 from ..arms import inputs, transforms
 from .views.two_link import both_methods, n_links
 
@@ -138,19 +139,15 @@ def _on_the_axis(q: np.ndarray) -> str:
                                       "0.001 is allowed.")
 
 
-def _meets(t1: float, t2: float) -> bool:
-    return not (_points_back(np.array([t1, t2])) or _on_the_axis(np.array([t1, t2])))
-
-
+_LEVEL = (_points_back, _on_the_axis)
 _LEVEL_SLIPS = [
-    ("These numbers look like degrees: write np.radians([...]).",
-     lambda q: _meets(*np.radians(q)) or np.max(np.abs(q)) > 4 * pi),
-    ("theta_2 counts from link 1, not from x_0.", lambda q: _meets(q[0], q[1] - q[0])),
-    ("The signs of the two angles do not go together.", lambda q: _meets(q[0], -q[1])),
+    degrees_slip(_LEVEL, 4 * pi, hint="write np.radians([...])"),
+    ("theta_2 counts from link 1, not from x_0.", lambda q: meet(_LEVEL, q - [0, q[0]])),
+    ("The signs of the two angles do not go together.", lambda q: meet(_LEVEL, q * [1, -1])),
     ("It points along +x_0.", lambda q: not _points_back(q + [0, pi])),
 ]
 
-JUDGES: dict[str, Callable[[Any], str]] = {
+JUDGES: dict[str, Judge] = {
     "two_link.1": function(
         _PQ, _PQ_CASES, entry=lambda index: f"{'PQ'[index[0]]}_{'xy'[index[1]]}",
         slips=_PQ_SLIPS, praise="P and Q are right in every case."),
@@ -160,8 +157,8 @@ JUDGES: dict[str, Callable[[Any], str]] = {
     "two_link.3": function(
         _tip, _TIP_CASES, entry=lambda index: ("x", "y", "phi")[index[0]], slips=_TIP_SLIPS,
         praise="It serves planar arms with any number of links."),
-    "two_link.4": joint_values(
-        _two_angles, (_points_back, _on_the_axis), slips=_LEVEL_SLIPS,
+    "two_link.4": one_of_many(
+        _two_angles, _LEVEL, slips=_LEVEL_SLIPS,
         praise="Link 2 is level and Q lies on the axis. There is a second answer, with P on the "
                "other side of x_0."),
 }

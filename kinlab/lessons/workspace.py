@@ -7,9 +7,9 @@ from typing import Any
 
 import numpy as np
 
-from ..answers.judges import function, joint_values
+from ..answers.conditions import degrees_slip, meet, one_of_many, one_pose, within_limits
+from ..answers.judges import Judge, function
 from ..arms import inputs, kinematics, robots
-from .alpha_ii import _one_pose, _within_limits
 from .views.workspace import L1, L2, limits_view, ring_view
 
 __all__ = ["limits_view", "ring_view"]
@@ -72,17 +72,14 @@ def _leaves_the_hole(lengths: np.ndarray) -> str:
         f"be {_NEAR} m.")
 
 
-def _fits(lengths: np.ndarray) -> bool:
-    return not (_reaches_out(lengths) or _leaves_the_hole(lengths))
-
-
+_RADII = (_reaches_out, _leaves_the_hole)
 _LENGTH_SLIPS = [
     ("These are the radii themselves. Their sum and difference are the wrong way round: l_1 + l_2 "
      "and |l_1 - l_2| are the radii.", lambda q: np.allclose(sorted(q), [_NEAR, _FAR], atol=1e-3)),
     ("They are half of what they should be: 0.4 m and 2.2 m are radii, not diameters.",
-     lambda q: _fits(2 * q)),
+     lambda q: meet(_RADII, 2 * q)),
     ("They are twice what they should be: halve the sum and the difference.",
-     lambda q: _fits(q / 2)),
+     lambda q: meet(_RADII, q / 2)),
 ]
 
 # ---- Exercise 3: a wall ---------------------------------------------------------------
@@ -118,13 +115,9 @@ def _is_widest(limits: np.ndarray) -> str:
         f"{degrees(spare):.3g}°.")
 
 
-def _clear(limits: np.ndarray) -> bool:
-    return not (_stays_above(limits) or _is_widest(limits))
-
-
+_CLEAR = (_stays_above, _is_widest)
 _WALL_SLIPS = [
-    ("These look like degrees: write np.radians([...]).", lambda q: _clear(np.radians(q))
-     or np.max(np.abs(q)) > 2 * pi),
+    degrees_slip(_CLEAR, subject="These", hint="write np.radians([...])"),
     ("At 180° link 1 lies along the wall; where does link 2 point once it is bent?",
      lambda q: np.isclose(q[1], pi, atol=1e-2)),
     ("Link 2 may point down, as long as its end stays above the wall.",
@@ -155,57 +148,48 @@ def _close(point: np.ndarray, least: float, what: str) -> Callable[[np.ndarray],
     return condition
 
 
-_NEAR_SHOULDER = (_within_limits, _close(_SHOULDER, _CLOSEST, "the shoulder"))
-_NEAR_TARGET = (_within_limits, _close(TARGET, _STRAIGHT, "the target"))
-
-
-def _meets(conditions: tuple, q: np.ndarray) -> bool:
-    return not any(condition(q) for condition in conditions)
-
-
-def _as_degrees(conditions: tuple) -> tuple[str, Callable]:
-    return ("These numbers look like degrees: q is in radians, so write np.radians([...]).",
-            lambda q: _meets(conditions, np.radians(q)) or np.max(np.abs(q)) > 2 * pi)
-
+_POSE = one_pose(_ARM, "five")
+_NEAR_SHOULDER = (within_limits(_ARM), _close(_SHOULDER, _CLOSEST, "the shoulder"))
+_NEAR_TARGET = (within_limits(_ARM), _close(TARGET, _STRAIGHT, "the target"))
 
 _FOLD_SLIPS = [
-    _as_degrees(_NEAR_SHOULDER),
+    degrees_slip(_NEAR_SHOULDER),
     ("The elbow is bent as far as it goes, but the tool points away from the shoulder.",
      lambda q: _gap(q, _SHOULDER) > _CLOSEST + 1.9 * _TOOL and abs(abs(q[2]) - 3 * pi / 4) < 1e-3),
     ("Bent to this side, the tool pitch cannot follow far enough: its range is not the same to "
      "both sides of the straight tool.", lambda q: q[2] < -1),
     ("The tool is straight at theta_4 = -90°, not at 0: count its bend from there.",
-     lambda q: _meets(_NEAR_SHOULDER, q - [0, 0, 0, pi / 2, 0])),
+     lambda q: meet(_NEAR_SHOULDER, q - [0, 0, 0, pi / 2, 0])),
     ("Fold the elbow as far as its limit lets it.", lambda q: q[2] < radians(134)),
 ]
 _FAR_SLIPS = [
-    _as_degrees(_NEAR_TARGET),
+    degrees_slip(_NEAR_TARGET),
     ("The sign of theta_2 is wrong: positive angles lower the arm.",
-     lambda q: _meets(_NEAR_TARGET, q * [1, -1, 1, 1, 1])),
+     lambda q: meet(_NEAR_TARGET, q * [1, -1, 1, 1, 1])),
     ("The arm points to the target as seen from the floor; see it from the shoulder.",
      lambda q: np.isclose(q[1], -np.arctan2(TARGET[2], TARGET[0]), atol=1e-3)),
     ("The tool is straight at theta_4 = -90°, not at 0.",
-     lambda q: _meets(_NEAR_TARGET, q - [0, 0, 0, pi / 2, 0])),
+     lambda q: meet(_NEAR_TARGET, q - [0, 0, 0, pi / 2, 0])),
 ]
 
-JUDGES: dict[str, Callable[[Any], str]] = {
+JUDGES: dict[str, Judge] = {
     "workspace.1": function(
         _ring, _RING_CASES, slips=_RING_SLIPS,
         entry=lambda index: ("nearest", "farthest", "the area")[index[0]],
         praise="The area is also 4 pi l_1 l_2: for a given reach l_1 + l_2 it is largest when "
                "both links are equally long."),
-    "workspace.2": joint_values(
-        _lengths, (_reaches_out, _leaves_the_hole), slips=_LENGTH_SLIPS, noun="two lengths",
+    "workspace.2": one_of_many(
+        _lengths, _RADII, slips=_LENGTH_SLIPS, noun="two lengths",
         praise="This arm reaches just that ring. So does the one with its links exchanged."),
-    "workspace.3": joint_values(
-        _range, (_stays_above, _is_widest), slips=_WALL_SLIPS, noun="two limits",
+    "workspace.3": one_of_many(
+        _range, _CLEAR, slips=_WALL_SLIPS, noun="two limits",
         praise="As wide as can be. The upper limit is where the bent arm points along the wall."),
-    "workspace.4": joint_values(
-        _one_pose, _NEAR_SHOULDER, slips=_FOLD_SLIPS,
+    "workspace.4": one_of_many(
+        _POSE, _NEAR_SHOULDER, slips=_FOLD_SLIPS,
         praise="About 6.6 mm: elbow at its limit, tool folded back. Joints 1, 2 and 5 are free; "
                "they do not change the distance from the shoulder."),
-    "workspace.5": joint_values(
-        _one_pose, _NEAR_TARGET, slips=_FAR_SLIPS,
+    "workspace.5": one_of_many(
+        _POSE, _NEAR_TARGET, slips=_FAR_SLIPS,
         praise="Stretched straight towards the target, as seen from the shoulder, and still "
                "179 mm short. The tool roll is free."),
 }
