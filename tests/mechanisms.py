@@ -104,6 +104,13 @@ def row(make, T, U):
                 alpha=np.arctan2(A[2, 1], A[2, 2]))
 
 
+def retyped(arm, number, **values):
+    """The arm with some numbers of one row typed anew."""
+    links = list(arm.links)
+    links[number - 1] = replace(links[number - 1], **values)
+    return replace(arm, links=links)
+
+
 def changed(arm, index, parameter, change):
     """The arm with one number of its table changed."""
     links = list(arm.links)

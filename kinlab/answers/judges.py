@@ -16,8 +16,8 @@ import numpy as np
 from ..arms import inputs
 from .verdict import BLANK, CORRECT, NOT_YET, Verdict
 
-# Of a number, or of 1 where that is more: results printed with six decimals and typed again
-# count as right, while a slip is off by a thousand times that in one of the cases at least.
+# Relative, and absolute near zero: what was printed with six decimals and typed again counts as
+# right, and so does the rounding of any formula that a student may have taken.
 SAME_NUMBER = 1e-6
 
 Judge = Callable[[Any], Verdict]

@@ -63,6 +63,25 @@ def examined(answer: Arm, reference: Arm, *, ends: bool, strict: bool = False, s
     return replace(verdict, message=" ".join(said))
 
 
+def column(arm: Arm, name: str) -> np.ndarray:
+    """One column of an arm's table: theta, d, a or alpha."""
+    return np.array([getattr(link, name) for link in arm.links])
+
+
+def with_columns(arm: Arm, **columns: Sequence[float]) -> Arm:
+    """The arm with some columns of its table replaced: a slip.
+
+    Examples
+    --------
+    >>> from kinlab import robots
+    >>> column(with_columns(robots.two_link(), a=[2, 3]), "a")
+    array([2., 3.])
+    """
+    return replace(arm, links=[
+        replace(link, **{name: float(numbers[i]) for name, numbers in columns.items()})
+        for i, link in enumerate(arm.links)])
+
+
 def _same_numbers(answer: Arm, wrong: Arm) -> bool:
     (kind, numbers), (other_kind, others) = _described(answer), _described(wrong)
     return kind == other_kind and np.allclose(numbers, others)

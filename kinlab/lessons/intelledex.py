@@ -2,7 +2,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import replace
 from functools import partial
 from math import cos, degrees, pi, sin
 from typing import Any
@@ -11,9 +10,8 @@ import numpy as np
 
 from ..answers.conditions import degrees_slip, one_of_many
 from ..answers.judges import Judge, choices, expressions
-from ..answers.table_judge import table
+from ..answers.table_judge import column, table, with_columns
 from ..arms import kinematics, robots
-from ..arms.arm import Arm
 
 _ARM = robots.intelledex_660t()
 _JOINTS = tuple(f"theta_{i}" for i in range(1, 7))
@@ -30,16 +28,8 @@ def yaw_view() -> Any:
 
 # ---- Exercise 1: the table ----------------------------------------------------------------------
 
-
-def _table(**columns: Any) -> Arm:
-    """The arm with some columns of its table replaced."""
-    return replace(_ARM, links=[
-        replace(link, **{name: float(column[i]) for name, column in columns.items()})
-        for i, link in enumerate(_ARM.links)])
-
-
-_ALPHA, _A, _D = (np.array([getattr(link, name) for link in _ARM.links])
-                  for name in ("alpha", "a", "d"))
+_table = partial(with_columns, _ARM)
+_ALPHA, _A, _D = (column(_ARM, name) for name in ("alpha", "a", "d"))
 _TABLE_SLIPS = [
     ("The twist of row 5 is missing: z5, the tool roll, is perpendicular to z4.",
      _table(alpha=_ALPHA * [1, 1, 1, 1, 0, 1])),

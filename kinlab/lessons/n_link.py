@@ -12,7 +12,7 @@ import numpy as np
 from ..answers.conditions import degrees_slip, meet, one_of_many, one_pose
 from ..answers.judges import Judge, function, is_stub
 from ..answers.matrices import link_matrix, matrix_entry, matrix_place
-from ..answers.table_judge import table
+from ..answers.table_judge import column, table, with_columns
 from ..answers.verdict import Verdict
 from ..arms import euler, kinematics, robots
 from ..arms.arm import Arm
@@ -23,8 +23,7 @@ __all__ = ["JUDGES", "both_conventions", "misread", "zyz_view"]
 # ---- Exercise 1: the link matrix ------------------------------------------------------
 
 
-def _M(alpha: float, a: float, d: float, theta: float,
-       convention: str = "modified") -> np.ndarray:
+def _M(alpha: float, a: float, d: float, theta: float, convention: str = "modified") -> np.ndarray:
     return link_matrix(theta, d, a, alpha, convention)
 
 
@@ -156,14 +155,11 @@ _SIX = robots.practical_six_link()
 
 
 def _six(tool: Any = None, **columns: Any) -> Arm:
-    """The arm with some columns of its table replaced."""
-    links = [replace(link, **{name: float(column[i]) for name, column in columns.items()})
-             for i, link in enumerate(_SIX.links)]
-    return replace(_SIX, links=links, tool=_SIX.tool if tool is None else tool)
+    """The arm with another tool, or with some columns of its table replaced."""
+    return replace(with_columns(_SIX, **columns), tool=_SIX.tool if tool is None else tool)
 
 
-_ALPHA, _A, _D = (np.array([getattr(link, name) for link in _SIX.links])
-                  for name in ("alpha", "a", "d"))
+_ALPHA, _A, _D = (column(_SIX, name) for name in ("alpha", "a", "d"))
 _SIX_SLIPS = [
     ("The arm is right, but the tool is forgotten: tool=kl.translation([0, 0, 1]).",
      _six(tool=np.eye(4))),
@@ -258,8 +254,7 @@ _UP_SLIPS = [
 
 JUDGES: dict[str, Judge] = {
     "n_link.1": function(
-        _M, _LINK_CASES, slips=_LINK_SLIPS,
-        entry=matrix_entry,
+        _M, _LINK_CASES, slips=_LINK_SLIPS, entry=matrix_entry,
         praise="This is the practical's link matrix, with its four rows."),
     "n_link.2": _through(_task, function(
         _answer, _ARM_CASES, slips=_CHAIN_SLIPS, entry=_chain_entry,

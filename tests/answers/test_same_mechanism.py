@@ -19,18 +19,11 @@ COUNT = int(os.environ.get("KINLAB_EXAMINER", 400))
 ARMS = [getattr(robots, name) for name in ("two_link", "practical_six_link", "cylindrical",
                                            "exam_2018", "alpha_ii", "intelledex_660t")]
 RIGHT = pi / 2
-R, P = kl.revolute, kl.prismatic
+R, P, row = kl.revolute, kl.prismatic, m.retyped
 STANFORD = kl.Arm([R(alpha=-RIGHT), R(d=0.15, alpha=RIGHT), P(), R(alpha=-RIGHT), R(alpha=RIGHT),
                    R(d=0.25)], name="Stanford arm")
 STANFORD_MODIFIED = kl.Arm([R(), R(alpha=-RIGHT, d=0.15), P(alpha=RIGHT), R(), R(alpha=-RIGHT),
                             R(alpha=RIGHT)], convention="modified")
-
-
-def row(arm, number, **values):
-    """The arm with some numbers of one row typed anew."""
-    links = list(arm.links)
-    links[number - 1] = replace(links[number - 1], **values)
-    return replace(arm, links=links)
 
 
 def refused(answer, reference, *words, **options):

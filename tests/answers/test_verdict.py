@@ -13,18 +13,10 @@ from solved.dh_recipe import table as exam_table
 import kinlab as kl
 from kinlab.answers.verdict import CORRECT, NOT_YET, Fault, Verdict
 
-RIGHT, R, P = pi / 2, kl.revolute, kl.prismatic
+RIGHT, R, P, row = pi / 2, kl.revolute, kl.prismatic, m.retyped
 ALPHA_II, SIX_LINK, EXAM = (kl.robots.alpha_ii(), kl.robots.practical_six_link(),
                             kl.robots.exam_2018())
 check = kl.exercises.check
-
-
-def row(arm, number, **values):
-    """The arm with some numbers of one row typed anew."""
-    links = list(arm.links)
-    links[number - 1] = replace(links[number - 1], **values)
-    return replace(arm, links=links)
-
 
 SLIDES = kl.Arm([R(alpha=RIGHT), P(alpha=RIGHT), R(alpha=RIGHT)])
 FAULTS = [
