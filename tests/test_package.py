@@ -48,7 +48,7 @@ MATHEMATICS = {
 }
 DRAWING = ("velocity", "scene", "arm_scene", "figure", "worker", "workspace_figures")
 VIEWS = ("live", "arm_view", "sketch", "link_view", "notebook_bar", "target_view", "jacobian_view",
-         "solve_picture", "table_editor", "site")
+         "solve_picture", "table_editor", "site", "pieces")
 WIDGETS = {"ipywidgets", "anywidget", "traitlets", "IPython"}
 
 
