@@ -1,4 +1,4 @@
-"""kinlab as somebody has it who installed a wheel: built, installed afresh, and used far from here."""
+"""kinlab as it is for somebody who installed a wheel: built, installed afresh, used elsewhere."""
 import json
 import os
 import subprocess
