@@ -59,7 +59,8 @@ def test_links_are_found_and_anchors_are_those_of_github(tmp_path):
     """The two tests above are only as good as this."""
     path = tmp_path / "a.md"
     path.write_text("# The `kl.robots` & more: *q*!\n[a](b.md#c) `[no](link.md)`\n"
-                    "<img src=\"p.png\"> [![p](in.png)](out.md)\n```sh\n# no heading\n[no](code.md)\n```\n## A\n")
+                    "<img src=\"p.png\"> [![p](in.png)](out.md)\n"
+                    "```sh\n# no heading\n[no](code.md)\n```\n## A\n")
     assert list(headings(path)) == ["the-klrobots--more-q", "a"]
     assert sorted(links(prose(path))) == ["b.md#c", "in.png", "out.md", "p.png"]
 
