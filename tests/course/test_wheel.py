@@ -1,6 +1,7 @@
 """kinlab as it is for somebody who installed a wheel: built, installed afresh, used elsewhere."""
 import json
 import os
+import shutil
 import subprocess
 import sys
 import sysconfig
@@ -30,9 +31,14 @@ def done(*command, **options):
 
 @pytest.fixture(scope="module")
 def wheel(tmp_path_factory):
-    """The wheel, made from the source archive as an index of packages would have it."""
-    out = tmp_path_factory.mktemp("dist")
-    done(sys.executable, "-m", "build", "--outdir", out, ROOT)
+    """The wheel, made from the source archive as an index of packages would have it.
+
+    Of a copy: what earlier builds left beside the sources would help this one.
+    """
+    source, out = tmp_path_factory.mktemp("source") / "kinlab", tmp_path_factory.mktemp("dist")
+    shutil.copytree(ROOT, source, ignore=shutil.ignore_patterns(
+        ".*", "*.egg-info", "__pycache__", "build", "dist", "node_modules"))
+    done(sys.executable, "-m", "build", "--outdir", out, source)
     (made,) = out.glob("*.whl")
     return made
 
