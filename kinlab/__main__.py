@@ -24,12 +24,13 @@ def _parser() -> argparse.ArgumentParser:
     parser = argparse.ArgumentParser(
         prog="kinlab", description="The lessons of kinlab. 'kinlab VERB --help' says more of each.")
     parser.add_argument("--version", action="version", version=f"kinlab {__version__}")
-    parser.set_defaults(run=lambda options: parser.print_help() or 2)
+    parser.set_defaults(run=lambda options: parser.exit(2, parser.format_help()))
     verbs = parser.add_subparsers(title="verbs", metavar="VERB")
 
     def verb(run: Callable[[argparse.Namespace], int]) -> argparse.ArgumentParser:
-        made = verbs.add_parser(run.__name__.strip("_"), description=run.__doc__,
-                                help=run.__doc__.partition(".")[0])
+        about = str(run.__doc__)
+        made = verbs.add_parser(run.__name__.strip("_"), description=about,
+                                help=about.partition(".")[0])
         made.set_defaults(run=run)
         return made
 

@@ -4,12 +4,12 @@
 """
 from __future__ import annotations
 
-from IPython.core.interactiveshell import InteractiveShell
+from typing import Any
 
 from ..views.live import LiveView
 
 
-def load_ipython_extension(shell: InteractiveShell) -> None:
+def load_ipython_extension(shell: Any) -> None:
     """Show each view as HTML, in the place of a widget and its still picture."""
     shell.display_formatter.mimebundle_formatter.for_type(LiveView, _piece)
 

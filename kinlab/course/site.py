@@ -66,11 +66,17 @@ class Lesson:
 
     @property
     def title(self) -> str:
-        return re.search(r"^# (.+)$", self.opening, re.MULTILINE)[1]
+        return self._said(r"^# (.+)$")
 
     @property
     def minutes(self) -> str:
-        return re.search(r"^Time: (\d+ minutes)", self.opening, re.MULTILINE)[1]
+        return self._said(r"^Time: (\d+ minutes)")
+
+    def _said(self, line: str) -> str:
+        found = re.search(line, self.opening, re.MULTILINE)
+        if not found:
+            raise ValueError(f"{self.path}: the first cell has no line like {line}")
+        return found[1]
 
 
 class _Renderer(IPythonRenderer):
