@@ -9,7 +9,7 @@ settings.load_profile("steady")
 
 @pytest.fixture(scope="session")
 def course_site(tmp_path_factory):
-    """The folder of the whole site, built once for all tests; it takes about 15 seconds."""
+    """The folder of the whole site, built once for all tests; it takes about half a minute."""
     from kinlab.course import site
     folder = tmp_path_factory.mktemp("site") / "new" / "course"
     site.build(folder)

@@ -48,7 +48,8 @@ MATHEMATICS = {
 }
 DRAWING = ("velocity", "scene", "arm_scene", "figure", "worker", "workspace_figures")
 VIEWS = ("live", "arm_view", "sketch", "link_view", "notebook_bar", "target_view", "jacobian_view",
-         "solve_picture", "table_editor", "site")
+         "solve_picture", "table_editor", "site", "pieces",
+         "__main__")
 WIDGETS = {"ipywidgets", "anywidget", "traitlets", "IPython"}
 
 

@@ -15,7 +15,7 @@ from .kinematics import jacobian, typical_length
 def manipulability(arm: Arm, q: Any, rows: Sequence[int] = range(6)) -> Any:
     """Yoshikawa's manipulability: the product of the Jacobian's singular values.
 
-    For as many rows as joints it is |det J|: how much velocity of the tool the joints make in
+    For as many rows as joints it is ``|det J|``: how much velocity of the tool the joints make in
     the direction where they make least counts as much as where they make most. It is 0 at
     singular poses, and its unit is that of the rows.
 

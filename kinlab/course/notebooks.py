@@ -1,24 +1,22 @@
 """Regenerate the outputs of the notebooks, or say which ones would differ.
 
-    python -m kinlab.course.notebooks                  run every notebook in notebooks/ and save it
-    python -m kinlab.course.notebooks --check          only report; fails if one would differ
-    python -m kinlab.course.notebooks notebooks/x.ipynb
-
 Each notebook runs in a fresh kernel. What would change from run to run is not saved: the ids of
 widgets (the picture and the text of a live view stay) and the times of execution.
 """
 from __future__ import annotations
 
-import argparse
 import sys
+from collections.abc import Sequence
 from copy import deepcopy
 from pathlib import Path
 
 import nbformat
 from nbclient import NotebookClient
 
-FOLDER = Path(__file__).resolve().parents[2] / "notebooks"
+from .handout import CARRIED, FOLDER, all_notebooks
+
 CELL_SECONDS = 120
+QUIET = "--log-level=40"  # errors only: a kernel's remarks would stand in the line of the progress
 WIDGET = "application/vnd.jupyter.widget-view+json"
 METADATA = {"kernelspec": {"display_name": "Python 3 (ipykernel)", "language": "python",
                            "name": "python3"},
@@ -40,7 +38,8 @@ def run(notebook: nbformat.NotebookNode, progress: bool = False) -> nbformat.Not
         print(f"\r  cell {cell_index + 1} of {total}", end="", file=sys.stderr, flush=True)
 
     NotebookClient(fresh, timeout=CELL_SECONDS, kernel_name="python3", record_timing=False,
-                   store_widget_state=False, resources={"metadata": {"path": str(FOLDER)}},
+                   store_widget_state=False, extra_arguments=[QUIET],
+                   resources={"metadata": {"path": str(FOLDER)}},
                    on_cell_start=show if progress else None).execute()
     return steady(fresh)
 
@@ -54,12 +53,6 @@ def steady(notebook: nbformat.NotebookNode) -> nbformat.NotebookNode:
         if "outputs" in cell:  # of a progress bar nothing is left but its empty place
             cell.outputs = [output for output in cell.outputs if output.get("data", True)]
     return notebook
-
-
-def all_notebooks() -> list[Path]:
-    """Every notebook of the course, JupyterLab's own checkpoints aside."""
-    return sorted(path for path in FOLDER.rglob("*.ipynb")
-                  if ".ipynb_checkpoints" not in path.parts)
 
 
 def differs(saved: nbformat.NotebookNode, fresh: nbformat.NotebookNode) -> bool:
@@ -81,20 +74,33 @@ def _without_pictures(notebook: nbformat.NotebookNode) -> nbformat.NotebookNode:
     return bare
 
 
-def main(arguments: list[str] | None = None) -> int:
-    """Run the command; the number of notebooks that would differ is its exit status."""
-    parser = argparse.ArgumentParser(prog="python -m kinlab.course.notebooks",
-                                     description="Regenerate the outputs of the notebooks.")
-    parser.add_argument("--check", action="store_true", help="report only, write nothing")
-    parser.add_argument("paths", nargs="*", type=Path, help="default: all in notebooks/")
-    options = parser.parse_args(arguments)
-    paths = options.paths or all_notebooks()
-    return sum(_refresh(path, options.check) for path in paths)
+def refresh(paths: Sequence[Path] = (), *, check: bool = False) -> bool:
+    """Run notebooks, all of the course if none is named, and save them or only report.
+
+    Returns
+    -------
+    bool
+        True if only reporting and a notebook would differ.
+
+    Raises
+    ------
+    ValueError
+        If there is no such notebook, or if those of an installed kinlab would be written over.
+    """
+    for path in paths:
+        if not path.is_file():
+            raise ValueError(f"PATHS: there is no notebook {str(path)!r}; name .ipynb files")
+    if not (paths or check) and FOLDER == CARRIED:
+        raise ValueError("PATHS: name the notebooks to run; kinlab's own stay as they came")
+    return sum(_refresh(path, check) for path in paths or all_notebooks()) > 0
 
 
 def _refresh(path: Path, check: bool) -> bool:
     print(path.name, file=sys.stderr)
-    saved = nbformat.read(path, as_version=4)
+    try:
+        saved = nbformat.read(path, as_version=4)
+    except (ValueError, nbformat.ValidationError):
+        raise ValueError(f"PATHS: {str(path)!r} is not a notebook; name .ipynb files") from None
     fresh = run(saved, progress=True)
     changed = differs(saved, fresh)
     if not check:
@@ -102,7 +108,3 @@ def _refresh(path: Path, check: bool) -> bool:
     word = ("differs" if check else "updated") if changed else "unchanged"
     print(f"\r  {word}{' ' * 20}", file=sys.stderr)
     return changed and check
-
-
-if __name__ == "__main__":
-    sys.exit(main())

@@ -1,21 +1,15 @@
 """The course as a site: pages in which every view moves, without Jupyter and without a network.
 
-    python -m kinlab.course.site OUT
-
-writes a page for each lesson, a course map, and the script and the style that they share, into
-the folder OUT, where older files of these names are replaced. Open OUT/index.html from the disk, or
-put the folder on any web server. Texts and results are those saved in the notebooks; their code
-runs once more, for the views.
+There is a page for each lesson, a course map, and the script and the style that they share. Open
+index.html from the disk, or put the folder on any web server. The lessons are run for it, each in a
+kernel of its own, where a view is shown as a piece of a page.
 """
 from __future__ import annotations
 
-import argparse
-import ast
-import io
 import re
 import sys
-from collections.abc import Sequence
-from contextlib import redirect_stdout
+from collections.abc import Iterator, Sequence
+from concurrent.futures import ThreadPoolExecutor
 from copy import deepcopy
 from dataclasses import dataclass
 from html import escape
@@ -23,15 +17,15 @@ from pathlib import Path
 from typing import Any
 
 import nbformat
-import numpy as np
 from nbconvert import TemplateExporter
 from nbconvert.filters.highlight import Highlight2HTML
 from nbconvert.filters.markdown_mistune import IPythonRenderer, MarkdownWithMath
 from pygments.formatters import HtmlFormatter
 
 from ..browser import page
-from ..views.live import LiveView
-from .notebooks import FOLDER
+from . import pieces
+from .handout import FOLDER, writing
+from .notebooks import run
 
 _HERE = Path(__file__).parent
 _WELCOME = """# Forward kinematics of robot arms
@@ -72,11 +66,17 @@ class Lesson:
 
     @property
     def title(self) -> str:
-        return re.search(r"^# (.+)$", self.opening, re.MULTILINE)[1]
+        return self._said(r"^# (.+)$")
 
     @property
     def minutes(self) -> str:
-        return re.search(r"^Time: (\d+ minutes)", self.opening, re.MULTILINE)[1]
+        return self._said(r"^Time: (\d+ minutes)")
+
+    def _said(self, line: str) -> str:
+        found = re.search(line, self.opening, re.MULTILINE)
+        if not found:
+            raise ValueError(f"{self.path}: the first cell has no line like {line}")
+        return found[1]
 
 
 class _Renderer(IPythonRenderer):
@@ -128,15 +128,16 @@ def build(folder: Path, lessons: Sequence[Path] | None = None, progress: bool = 
     ValueError
         If the folder cannot be made.
     """
-    _make(folder)
+    with writing("OUT", folder):
+        folder.mkdir(parents=True, exist_ok=True)
     paths = lessons or sorted(FOLDER.glob("*.ipynb"))
     names = "\n".join(cell.source for cell in nbformat.read(paths[0], as_version=4).cells)
     course = [Lesson.read(path, names) for path in paths]
     export, around = exporter(), [None, *course, None]
-    for k, lesson in enumerate(course):
+    for k, (lesson, made) in enumerate(_run_two_at_a_time(course)):
         if progress:
             print(f"\r  {k + 1} of {len(course)}  {lesson.path.stem:<32}", end="", file=sys.stderr)
-        _write(export, folder / lesson.page, still(lesson.notebook), title=lesson.title,
+        _write(export, folder / lesson.page, made, title=lesson.title,
                file=f"notebooks/{lesson.path.name}", previous=around[k], next=around[k + 2],
                map=True)
     _write(export, folder / "index.html", course_map(course), title="Course map",
@@ -147,32 +148,23 @@ def build(folder: Path, lessons: Sequence[Path] | None = None, progress: bool = 
         print(f"\r  {len(course)} lessons: open {folder / 'index.html'}{' ' * 20}", file=sys.stderr)
 
 
+def _run_two_at_a_time(
+        course: Sequence[Lesson]) -> Iterator[tuple[Lesson, nbformat.NotebookNode]]:
+    """Each lesson, run: most of the time is spent in starting kernels."""
+    with ThreadPoolExecutor(2) as pool:
+        yield from zip(course, pool.map(still, [lesson.notebook for lesson in course]))
+
+
 def still(notebook: nbformat.NotebookNode) -> nbformat.NotebookNode:
-    """The notebook with every output as HTML, and every view as a piece that moves by itself."""
+    """The notebook, run, with every output as HTML and every view as a piece of the page."""
     made = deepcopy(notebook)
-    views = moving(made)
-    for k, cell in enumerate(made.cells):
+    made.cells.insert(0, nbformat.v4.new_code_cell(f"%load_ext {pieces.__name__}"))
+    made = run(made)
+    del made.cells[0]
+    for cell in made.cells:
         for output in cell.get("outputs", ()):
-            output.html = _output(output, views.get(k))
+            output.html = _output(output)
     return made
-
-
-def moving(notebook: nbformat.NotebookNode) -> dict[int, str]:
-    """Each view of a notebook as HTML, as it stands when its cell has run, by the cell's number."""
-    names, found = {"__name__": "__main__"}, {}
-    pictures = [k for k, cell in enumerate(notebook.cells) if _shows_a_view(cell)]
-    with np.printoptions(), redirect_stdout(io.StringIO()):
-        for k, cell in enumerate(notebook.cells[:max(pictures, default=-1) + 1]):
-            if cell.cell_type == "code":
-                result = _run(cell.source, names)
-                if isinstance(result, LiveView):
-                    found[k] = result.html()
-    return found
-
-
-def _shows_a_view(cell: nbformat.NotebookNode) -> bool:
-    saved = [output.get("metadata", {}).get("image/png", {}) for output in cell.get("outputs", ())]
-    return any(metadata.get("alt", "").startswith(LiveView.ALT) for metadata in saved)
 
 
 def course_map(course: Sequence[Lesson]) -> nbformat.NotebookNode:
@@ -191,21 +183,13 @@ def style() -> str:
             f"}}\n{own}")
 
 
-def _run(source: str, names: dict) -> Any:
-    """Run a cell; the value of its last line, if that is an expression."""
-    body = ast.parse(source).body
-    last = body.pop() if body and isinstance(body[-1], ast.Expr) else None
-    exec(compile(ast.Module(body, []), "<cell>", "exec"), names)
-    return last and eval(compile(ast.Expression(last.value), "<cell>", "eval"), names)
-
-
-def _output(output: nbformat.NotebookNode, view: str | None) -> str:
-    """An output as HTML: the moving view, else the picture, the formula, the table, the text."""
+def _output(output: nbformat.NotebookNode) -> str:
+    """An output as HTML: the picture, the formula, the view or table, the text."""
     data = output.get("data", {"text/plain": output.get("text", "")})
     if "image/png" in data:
         alt = output.get("metadata", {}).get("image/png", {}).get("alt", "")
-        return view or (f'<img alt="{escape(alt)}" '
-                        f'src="data:image/png;base64,{data["image/png"].strip()}">')
+        return (f'<img alt="{escape(alt)}" '
+                f'src="data:image/png;base64,{data["image/png"].strip()}">')
     if "text/latex" in data:
         return f'<div class="kl-mathematics">{page.typeset(data["text/latex"])}</div>'
     return data.get("text/html") or f'<pre>{escape(data.get("text/plain", ""))}</pre>'
@@ -215,27 +199,3 @@ def _write(export: TemplateExporter, path: Path, notebook: nbformat.NotebookNode
            **site: Any) -> None:
     text, _ = export.from_notebook_node(notebook, resources={"site": site})
     path.write_text(text, encoding="utf-8")
-
-
-def _make(folder: Path) -> None:
-    try:
-        folder.mkdir(parents=True, exist_ok=True)
-    except OSError as error:
-        raise ValueError(f"OUT: cannot make the folder {str(folder)!r} ({error.strerror}); "
-                         "choose another name") from None
-
-
-def main(arguments: list[str] | None = None) -> int:
-    """Run the command."""
-    parser = argparse.ArgumentParser(
-        prog="python -m kinlab.course.site", description="Turn the lessons into pages that move.")
-    parser.add_argument("out", metavar="OUT", type=Path, help="the folder for the pages")
-    try:
-        build(parser.parse_args(arguments).out, progress=True)
-    except ValueError as error:
-        parser.error(str(error))
-    return 0
-
-
-if __name__ == "__main__":
-    sys.exit(main())

@@ -6,6 +6,7 @@ import nbformat
 import pytest
 from nbformat.v4 import new_code_cell, new_markdown_cell, new_notebook, new_output
 
+from kinlab.__main__ import main
 from kinlab.course import notebooks
 
 ALL = notebooks.all_notebooks()
@@ -164,12 +165,12 @@ def test_the_command_regenerates_and_then_finds_nothing_to_do(tmp_path, capsys):
     stale.cells[0].outputs[0].data["text/plain"] = "3"
     nbformat.write(stale, path)
     before = path.read_bytes()
-    assert notebooks.main(["--check", str(path)]) == 1
+    assert main(["notebooks", "--check", str(path)]) == 1
     assert path.read_bytes() == before
     assert "differs" in capsys.readouterr().err
-    assert notebooks.main([str(path)]) == 0
+    assert main(["notebooks", str(path)]) == 0
     assert read(path).cells[0].outputs[0].data["text/plain"] == "2"
-    assert notebooks.main(["--check", str(path)]) == 0
+    assert main(["notebooks", "--check", str(path)]) == 0
     assert "unchanged" in capsys.readouterr().err
 
 
@@ -179,4 +180,4 @@ def test_a_cell_that_fails_stops_the_command(tmp_path):
     broken.cells[0].source = "1 / 0"
     nbformat.write(broken, path)
     with pytest.raises(Exception, match="ZeroDivisionError"):
-        notebooks.main([str(path)])
+        main(["notebooks", str(path)])

@@ -1,0 +1,97 @@
+"""The course from the command line: ``python -m kinlab``, or ``kinlab`` where it is installed."""
+from __future__ import annotations
+
+import argparse
+import sys
+from collections.abc import Callable, Sequence
+from pathlib import Path
+from textwrap import fill
+
+from . import __version__
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Run the command; its exit status, 0 if all went well."""
+    parser = _parser()
+    options = parser.parse_args(arguments)
+    try:
+        return options.run(options)
+    except ValueError as error:
+        parser.exit(2, f"kinlab: {error}\n")
+
+
+def _parser() -> argparse.ArgumentParser:
+    parser = argparse.ArgumentParser(
+        prog="kinlab", description="The lessons of kinlab. 'kinlab VERB --help' says more of each.")
+    parser.add_argument("--version", action="version", version=f"kinlab {__version__}")
+    parser.set_defaults(run=lambda options: parser.exit(2, parser.format_help()))
+    verbs = parser.add_subparsers(title="verbs", metavar="VERB")
+
+    def verb(run: Callable[[argparse.Namespace], int]) -> argparse.ArgumentParser:
+        about = str(run.__doc__)
+        made = verbs.add_parser(run.__name__.strip("_"), description=about,
+                                help=about.partition(".")[0])
+        made.set_defaults(run=run)
+        return made
+
+    lessons = verb(_lessons)
+    lessons.add_argument("folder", metavar="FOLDER", type=Path, nargs="?",
+                         default=Path("kinlab_lessons"),
+                         help="where the copies go; default: %(default)s, in this folder")
+    lessons.add_argument("--copy-only", action="store_true", help="do not open JupyterLab")
+    verb(_site).add_argument("out", metavar="OUT", type=Path, help="the folder for the pages")
+    verb(_lite).add_argument("out", metavar="OUT", type=Path, help="the folder for the pages")
+    notebooks = verb(_notebooks)
+    notebooks.add_argument("--check", action="store_true",
+                           help="write nothing; fail if a notebook would change")
+    notebooks.add_argument("paths", metavar="PATHS", type=Path, nargs="*",
+                           help="default: all in notebooks/")
+    return parser
+
+
+def _lessons(options: argparse.Namespace) -> int:
+    """Copy the lessons into a folder and open them in JupyterLab. A file that is there already
+    stays as it is. For a fresh copy of a lesson, give yours another name and run this again.
+    """
+    from .course import handout
+
+    copied, kept = handout.copy_lessons(options.folder)
+    print(f"The lessons are in {options.folder.resolve()}")
+    for word, names in (("Copied", copied), ("Kept as they are", kept)):
+        if names:
+            print(fill(f"{word}: {_listed(names)}", 80, subsequent_indent="  "))
+    return 0 if options.copy_only else handout.open_lab(options.folder)
+
+
+def _listed(names: Sequence[str]) -> str:
+    lessons = [name.removesuffix(".ipynb") for name in names if "/" not in name]
+    solutions = len(names) - len(lessons)
+    return ", ".join([*lessons, *[f"{solutions} in solutions"] * (solutions > 0)])
+
+
+def _site(options: argparse.Namespace) -> int:
+    """Turn the lessons into pages that move. Open OUT/index.html, or put the folder on any web
+    server. Older files of the same names are replaced.
+    """
+    from .course import site
+
+    site.build(options.out, progress=True)
+    return 0
+
+
+def _lite(options: argparse.Namespace) -> int:
+    """Turn the lessons into notebooks that run in a browser. Not there yet."""
+    print("kinlab lite is not there yet; 'kinlab site OUT' makes pages that need no server.",
+          file=sys.stderr)
+    return 1
+
+
+def _notebooks(options: argparse.Namespace) -> int:
+    """Run notebooks afresh and save their outputs. Says which of them changed."""
+    from .course import notebooks
+
+    return notebooks.refresh(options.paths, check=options.check)
+
+
+if __name__ == "__main__":
+    sys.exit(main())
