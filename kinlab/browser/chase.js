@@ -2,6 +2,8 @@
 // in kinlab/ik/descent.py, for the tool point alone; a student's own targets go to kinlab's
 // inverse_kinematics, which explains itself.
 
+import { cross, dot, frames, velocities } from "./frames.js";
+
 const STEPS = 60, CLOSE = 1e-7, IDLE = 1e-12;      // lengths as parts of the picture's radius
 const FULL_TURN = 2 * Math.PI - 1e-9;
 

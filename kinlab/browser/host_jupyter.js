@@ -1,5 +1,9 @@
-// Ties the live picture (live.js, which stands above this text in one module) to Jupyter: its
-// joints are ipywidgets' sliders, in degrees or lengths.
+// Ties the live picture (mount.js) to Jupyter: its joints are ipywidgets' sliders, in degrees or
+// lengths.
+
+import { mount } from "./mount.js";
+import { make } from "./dom.js";
+import { KEYS, snap, stepped } from "./steps.js";
 
 const TELL = 100;                                   // ms between two messages to Python
 

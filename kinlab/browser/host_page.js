@@ -1,5 +1,9 @@
-// Ties the live picture (live.js, which stands above this text in one script) to a plain page:
-// its joints are range inputs beside number fields, and the page's address can hold their values.
+// Ties the live picture (mount.js) to a plain page: its joints are range inputs beside number
+// fields, and the page's address can hold their values.
+
+import { mount } from "./mount.js";
+import { make, toolbar } from "./dom.js";
+import { KEYS, clip, snap, stepped } from "./steps.js";
 
 const tidy = (value) => Number(value.toPrecision(6));
 

@@ -1,6 +1,10 @@
 // The cells and buttons of the DH table. Python (kinlab/views/table_editor.py) holds the table: the browser
 // tells it each edit and shows the state that comes back. What is being typed is never touched.
 
+import { make } from "./dom.js";
+import { choose, lowered, press, typed } from "./table_parts.js";
+import { fill, store } from "./table_store.js";
+
 const GREEK = { theta: "θ", alpha: "α", d: "d", a: "a" };
 const NAMES = { theta: "joint angle", d: "link offset", a: "link length", alpha: "link twist",
                 low: "lower limit", high: "upper limit", home: "home" };
@@ -10,51 +14,6 @@ const PANELS = [["closed", "Closed form", "The arm matrix in closed form"],
                 ["signs", "Sign pattern", "Only the signs of the table's numbers"],
                 ["compare", "", "The same numbers in the other convention, side by side"]];
 const LIMITS = ["low", "high", "home"];
-const LONGEST = 200, MOST = 60000;                  // characters in a cell, in a file
-
-const make = (tag, attributes = {}, ...children) => {
-  const node = document.createElement(tag);
-  for (const [name, value] of Object.entries(attributes)) {
-    if (value !== null && value !== false) node.setAttribute(name, value);
-  }
-  node.append(...children);
-  return node;
-};
-
-const lowered = (number) => String(number).replace(/\d/g, (digit) => "₀₁₂₃₄₅₆₇₈₉"[digit]);
-
-function choose(label, options, value, take) {
-  const list = make("select", { "aria-label": label, "data-at": label },
-    ...options.map(([key, text]) => make("option", { value: key }, text)));
-  list.value = value;
-  list.addEventListener("change", () => take(list.value, list));
-  return list;
-}
-
-function press(text, title, action, extra = {}) {
-  const button = make("button", { type: "button", class: "kl-button", title, "data-at": title,
-                                  "aria-label": text.length > 1 ? null : title, ...extra }, text);
-  button.addEventListener("click", () => action(button));
-  return button;
-}
-
-/** A cell of text that is sent when it is left or Enter is pressed; Escape takes it back. */
-function typed(at, label, text, send) {
-  const input = make("input", { type: "text", "data-at": at, "aria-label": label, spellcheck: "false",
-                                autocomplete: "off", maxlength: LONGEST, class: "kl-cell" });
-  input.value = input.committed = text;
-  const commit = () => {
-    if (input.value === input.committed) return;
-    input.committed = input.value;
-    send(input.value);
-  };
-  input.addEventListener("change", commit);
-  input.addEventListener("keydown", (event) => {
-    if (event.key === "Enter") commit();
-    if (event.key === "Escape") input.value = input.committed;
-  });
-  return input;
-}
 
 class Editor {
   constructor(model, element) {
@@ -97,7 +56,7 @@ class Editor {
     this.told = {};
     this.building = true;                           // a cell that goes is not a cell that is left
     this.element.replaceChildren(this.bar(), ...this.question(), this.table(), this.named(),
-                                 ...this.ends(), this.foot(), ...this.store());
+                                 ...this.ends(), this.foot(), ...store(this));
     this.building = false;
     const found = at && this.element.querySelector(`[data-at="${CSS.escape(at)}"]`);
     if (found) {
@@ -133,7 +92,7 @@ class Editor {
     const remark = this.element.querySelector(".kl-said"), text = state.said || wrong || "";
     if (remark.textContent !== text) remark.textContent = text;
     remark.classList.toggle("kl-warns", Boolean(text));
-    this.fill();
+    fill(this);
   }
 
   /** A cell's text, mark and reading; its text only where Python changed it. */
@@ -302,42 +261,6 @@ class Editor {
           this.show();
         }, { "aria-pressed": Boolean(this.saving), "aria-expanded": Boolean(this.saving) })),
       make("div", { class: "kl-said", role: "status" }));
-  }
-
-  // ---- saving and loading ----
-
-  store() {
-    if (!this.saving) return [];
-    const format = choose("Format", [["csv", "CSV"], ["code", "kinlab code"]], this.saving, (value) => {
-      this.saving = value;
-      this.show();
-    });
-    const text = make("textarea", { "aria-label": "The table as text", rows: "9", spellcheck: "false",
-                                    "data-at": "text" });
-    const file = make("input", { type: "file", accept: ".csv,.py,.txt", "aria-label": "Open a file" });
-    file.addEventListener("change", async () => {
-      if (file.files[0]) this.send("load", (await file.files[0].text()).slice(0, MOST));
-    });
-    return [make("div", { class: "kl-store" }, text,
-      make("div", { class: "kl-toolbar" }, make("label", {}, "as ", format),
-        press("Load this text", "Load the text above", () => this.send("load", text.value)),
-        press("Download", "Download the text above as a file", () => this.download(text.value)),
-        make("label", {}, "Open a file ", file)))];
-  }
-
-  /** The table as text, unless the student has changed that text. */
-  fill() {
-    const area = this.element.querySelector("textarea"), now = this.state[this.saving];
-    if (!area) return;
-    if (area.committed === undefined || area.value === area.committed) area.value = area.committed = now;
-    area.placeholder = this.saving === "code" ? "Correct the marked cells, or paste code here." : "";
-  }
-
-  download(text) {
-    const name = this.saving === "code" ? "dh_table.py" : "dh_table.csv";
-    const link = make("a", { download: name, href: URL.createObjectURL(new Blob([text])) });
-    link.click();
-    setTimeout(() => URL.revokeObjectURL(link.href), 1000);
   }
 
   // ---- rows, by mouse and by keys ----
