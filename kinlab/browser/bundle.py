@@ -1,7 +1,8 @@
 """The JavaScript's modules joined into one text, for a widget and for a page of its own.
 
 anywidget takes one module, and browsers load no modules from a disk. So the modules that an entry
-imports are put before it, each after those it needs itself; all then share one scope.
+imports are put before it, each after those it needs itself; all then share one scope. Comments
+in ``/** */``, which are for whoever reads or checks the source, stay behind.
 """
 from __future__ import annotations
 
@@ -12,6 +13,7 @@ from pathlib import Path
 HERE = Path(__file__).parent
 _IMPORT = re.compile(r'^import \{([^}]*)\} from "\./([\w.]+)";\n', re.MULTILINE)
 _EXPORT = re.compile(r"^export (?!default\b)", re.MULTILINE)
+_DOCS = re.compile(r"^ */\*\*.*?\*/\n", re.MULTILINE | re.DOTALL)
 # The names that a line at the margin defines: "const A = 1, B = 2;" defines two.
 _NAMES = re.compile(r"^(export )?(?:(?:async )?function\*?|class|const|let) "
                     r"((?:\w+ = [^,;({[]+, )*\w+)", re.MULTILINE)
@@ -53,7 +55,7 @@ def _in_order(entry: str, folder: Path) -> list[str]:
 
     add(entry, ())
     _check(texts)
-    return [_IMPORT.sub("", text) for text in texts.values()]
+    return [_DOCS.sub("", _IMPORT.sub("", text)) for text in texts.values()]
 
 
 def _names(text: str, *, exported: bool = False) -> list[str]:

@@ -1,23 +1,41 @@
 // Elements of a page, buttons, and numbers as print has them.
 
-/** An element with attributes, those that are absent or false left out, and children. */
+/** @typedef {(pressed: HTMLButtonElement) => void} Action */
+/** @typedef {[text: string, title: string, action: Action, ...more: unknown[]]} Button */
+
+/**
+ * An element with attributes, those that are absent or false left out, and children.
+ * @template {keyof HTMLElementTagNameMap} Tag
+ * @param {Tag} tag
+ * @param {Record<string, unknown>} attributes
+ * @param {(Node | string)[]} children
+ */
 export function make(tag, attributes = {}, ...children) {
   const node = document.createElement(tag);
   for (const [name, value] of Object.entries(attributes)) {
-    if (value != null && value !== false) node.setAttribute(name, value);
+    if (value != null && value !== false) node.setAttribute(name, String(value));
   }
   node.append(...children);
   return node;
 }
 
-/** A button that calls `action` with itself. */
+/**
+ * A button that calls `action` with itself.
+ * @param {string} text
+ * @param {string} title
+ * @param {Action} action
+ * @param {Record<string, unknown>} attributes
+ */
 export function button(text, title, action, attributes = {}) {
   const node = make("button", { type: "button", class: "kl-button", title, ...attributes }, text);
   node.addEventListener("click", () => action(node));
   return node;
 }
 
-/** Groups of buttons; each is its label, then [text, title, action] of its buttons. */
+/**
+ * Groups of buttons: of each its label, then its buttons.
+ * @param {[label: string, ...buttons: Button[]][]} groups
+ */
 export function toolbar(groups) {
   return make("div", { class: "kl-toolbar", role: "toolbar", "aria-label": "View" },
     ...groups.map(([label, ...buttons]) =>
@@ -25,7 +43,11 @@ export function toolbar(groups) {
         ...buttons.map(([text, title, action]) => button(text, title, action)))));
 }
 
-/** A number with so many decimals, a true minus sign and no negative zero. */
+/**
+ * A number with so many decimals, a true minus sign and no negative zero.
+ * @param {number} value
+ * @param {number} decimals
+ */
 export function number(value, decimals) {
   const text = value.toFixed(decimals);
   return Number(text) === 0 ? (0).toFixed(decimals) : text.replace("-", "\u2212");

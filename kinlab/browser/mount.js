@@ -1,6 +1,7 @@
 // One live arm in one element. `mount` knows nothing of Jupyter: it takes the SVG, the scene
 // (kinlab/drawing/scene.py) and the joints to read, write and listen to. host_jupyter.js ties it to
 // ipywidgets' sliders, host_page.js to those of a plain page.
+// @ts-nocheck
 
 import { follower } from "./chase.js";
 import { make, toolbar } from "./dom.js";
@@ -87,7 +88,8 @@ export function mount(element, svg, scene, joints, before = null) {
   const bar = toolbar([
     ["Move", ["Home", "Move to where it began", () => mover.start(drive, [scene.home], MOVE)],
       ...(scene.poses.length
-        ? [["Zero", "Set every joint to zero", () => mover.start(drive, [scene.zero], MOVE)], playing]
+        ? [["Zero", "Set every joint to zero", () => mover.start(drive, [scene.zero], MOVE)],
+           playing]
         : [])],
     ["View", ...(presets.length > 1 ? presets : []).map((name) =>
       [name[0].toUpperCase() + name.slice(1), `View: ${name}`, () => look(name)])],

@@ -1,4 +1,5 @@
 // What stands under the picture and follows it: the tool's pose, formulas, a target's error.
+// @ts-nocheck
 
 import { make, number } from "./dom.js";
 import { ROTATE, dot, inRoom, travel } from "./frames.js";
@@ -41,7 +42,8 @@ export function readingLines({ readings, decimals, motions }) {
   const vector = ({ tail, head, frame, size, scale }, all) => {
     const [from, to] = [tail, head].map(([k, ...local]) => inRoom(all[k], local));
     const arrow = to.map((e, k) => e - from[k]);
-    const parts = all[frame].slice(0, size).map((axis) => number(scale * dot(axis, arrow), decimals));
+    const parts = all[frame].slice(0, size)
+      .map((axis) => number(scale * dot(axis, arrow), decimals));
     return size > 1 ? `(${parts.join(", ")})` : parts[0];
   };
   const amount = (motion, q) => motion[0] === ROTATE

@@ -2,12 +2,25 @@
 
 import { button, make } from "./dom.js";
 
+/** @import { Action } from "./dom.js" */
+/** @import { Field } from "./types.js" */
+
 const LONGEST = 200;                                // characters in a cell
 
-/** A number in the digits of an index. */
-export const lowered = (number) => String(number).replace(/\d/g, (digit) => "₀₁₂₃₄₅₆₇₈₉"[digit]);
+/**
+ * A number in the digits of an index.
+ * @type {(number: number) => string}
+ */
+export const lowered = (number) =>
+  String(number).replace(/\d/g, (digit) => "₀₁₂₃₄₅₆₇₈₉"[Number(digit)]);
 
-/** A list to choose from; `take` hears the choice. */
+/**
+ * A list to choose from; `take` hears the choice.
+ * @param {string} label
+ * @param {string[][]} options the value and the words of each
+ * @param {string} value
+ * @param {(value: string, list: HTMLSelectElement) => void} take
+ */
 export function choose(label, options, value, take) {
   const list = make("select", { "aria-label": label, "data-at": label },
     ...options.map(([key, text]) => make("option", { value: key }, text)));
@@ -16,16 +29,29 @@ export function choose(label, options, value, take) {
   return list;
 }
 
-/** A button that is found again after the table is built anew. */
+/**
+ * A button that is found again after the table is built anew.
+ * @param {string} text
+ * @param {string} title
+ * @param {Action} action
+ * @param {Record<string, unknown>} extra
+ */
 export function press(text, title, action, extra = {}) {
   return button(text, title, action,
     { "data-at": title, "aria-label": text.length > 1 ? null : title, ...extra });
 }
 
-/** A cell of text that is sent when it is left or Enter is pressed; Escape takes it back. */
+/**
+ * A cell of text that is sent when it is left or Enter is pressed; Escape takes it back.
+ * @param {string} at
+ * @param {string} label
+ * @param {string} text
+ * @param {(text: string) => void} send
+ */
 export function typed(at, label, text, send) {
-  const input = make("input", { type: "text", "data-at": at, "aria-label": label, spellcheck: "false",
-                                autocomplete: "off", maxlength: LONGEST, class: "kl-cell" });
+  /** @type {HTMLInputElement & Field} */
+  const input = make("input", { type: "text", "data-at": at, "aria-label": label, class: "kl-cell",
+                                spellcheck: "false", autocomplete: "off", maxlength: LONGEST });
   input.value = input.committed = text;
   const commit = () => {
     if (input.value === input.committed) return;
@@ -35,7 +61,7 @@ export function typed(at, label, text, send) {
   input.addEventListener("change", commit);
   input.addEventListener("keydown", (event) => {
     if (event.key === "Enter") commit();
-    if (event.key === "Escape") input.value = input.committed;
+    if (event.key === "Escape") input.value = input.committed ?? text;
   });
   return input;
 }

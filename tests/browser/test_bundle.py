@@ -4,8 +4,9 @@ import pytest
 from kinlab.browser import bundle
 
 MODULES = {
-    "low.js": "// Says </script> once.\nexport const low = 1, deep = 2;\n",
-    "middle.js": 'import { low } from "./low.js";\n\nexport function half() { return low / 2; }\n',
+    "low.js": "// Says </script> once.\n/**\n * Two numbers.\n */\nexport const low = 1, deep = 2;\n",
+    "middle.js": 'import { low } from "./low.js";\n\n/** @type {() => number} */\n'
+                 "export function half() { return /** here */ low / 2; }\n",
     "entry.js": 'import {\n  half,\n} from "./middle.js";\nimport { low } from "./low.js";\n\n'
                 "export const all = half() + low;\n\nexport default { all };\n",
 }
@@ -21,14 +22,14 @@ def folder(tmp_path):
 def test_what_is_needed_comes_first_and_only_the_entry_exports(folder):
     assert bundle.module("entry.js", folder) == (
         "// Says </script> once.\nconst low = 1, deep = 2;\n"
-        "\nfunction half() { return low / 2; }\n"
+        "\nfunction half() { return /** here */ low / 2; }\n"
         "\nexport const all = half() + low;\n\nexport default { all };\n")
 
 
 def test_a_page_gets_a_script_that_cannot_end_early(folder):
     assert bundle.script("middle.js", folder) == (
         "(() => {\n// Says <\\/script> once.\nconst low = 1, deep = 2;\n"
-        "\nfunction half() { return low / 2; }\n})();\n")
+        "\nfunction half() { return /** here */ low / 2; }\n})();\n")
 
 
 @pytest.mark.parametrize("text, words", [
