@@ -4,7 +4,8 @@ import pytest
 from kinlab.browser import bundle
 
 MODULES = {
-    "low.js": "// Says </script> once.\n/**\n * Two numbers.\n */\nexport const low = 1, deep = 2;\n",
+    "low.js": "// Says </script> once.\n/**\n * Two numbers.\n */\n"
+              "export const low = 1, deep = 2;\n",
     "middle.js": 'import { low } from "./low.js";\n\n/** @type {() => number} */\n'
                  "export function half() { return /** here */ low / 2; }\n",
     "entry.js": 'import {\n  half,\n} from "./middle.js";\nimport { low } from "./low.js";\n\n'
