@@ -72,7 +72,7 @@ function lengthIn(unit, text) {
   refuseIf(angle, "no angle belongs here, leave out deg and rad");
   if (size < SMALLEST_LENGTH && value && !PLAIN.test(pointed(text))) return 0;   // cos(pi/2)
   refuseIf(value !== 0 && !(size >= SMALLEST_LENGTH && size <= LARGEST_LENGTH),
-           `it should lie between ${SMALLEST_LENGTH} and ${LARGEST_LENGTH}${unit && ` ${unit}`}`);
+           `between 1e-9 and 1e9${unit && ` ${unit}`}, or 0; look for a slip in the exponent`);
   return value;
 }
 

@@ -48,6 +48,12 @@ test("limits hold, and the other joint goes on", () => {
   assert.ok(Math.abs(error - best) < 1e-3, `${error}, not ${best}`);
 });
 
+test("a joint at its limit leaves the work to the others", () => {
+  const { q, error } = reach(scene(undefined, [0, 0.5]), [0, 0.5, 0, 0], [1, 1, 0]);
+  near(q, [Math.PI / 4 - 0.25, 0.5, 0, 0], 1e-2);
+  near([error], [2 * Math.cos(0.25) - Math.SQRT2], 1e-3);
+});
+
 test("a joint that turns right round has no end", () => {
   const { q } = reach(scene(), [3.1, 0.3, 0, 0], [2 * Math.cos(3.3), 2 * Math.sin(3.3), 0]);
   assert.ok(q[0] >= -Math.PI && q[0] < -2.9, String(q));
@@ -80,6 +86,6 @@ test("where the joints go the target rides", () => {
   assert.deepEqual(told, [null]);
   chase.drive.write([0, 0, 0, 0]);
   near(joints.read(), [0, 0, 2, 0]);
-  chase.lead.write([3, 3, 1, 1]);                   // the joints there are not looked at
-  near(tip(joints.read()), [1, 1, 0]);
+  chase.lead.write([0.5, -1, 1, 1]);                // the joints there are not looked at
+  assert.deepEqual(joints.read(), reach(scene(), [0, 0, 1, 1], [1, 1, 0]).q);
 });

@@ -30,7 +30,7 @@ test("a field reads what a cell of the table reads, and refuses what it refuses"
 test("where pi or a unit stands, a field in degrees hears of an angle", () => {
   const good = { "pi/2": 90, "π/6": 30, "30": 30, "30 deg": 30, "30°": 30, "-pi": -180,
                  "1 rad": 57.2957795130823, "45 deg + pi/4 rad": 90, "2*45": 90, "0.1": 0.1,
-                 "179.9°": 179.9 };
+                 "179.9°": 179.9, "-0": 0 };
   for (const [text, value] of Object.entries(good)) {
     assert.deepEqual(read(text, FIELDS.deg), { value }, text);
   }

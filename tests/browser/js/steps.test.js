@@ -12,7 +12,7 @@ test("a hand's value goes to the nearest whole step", () => {
   assert.equal(snap(12.4, turn), 12);
   assert.equal(snap(12.6, turn), 13);
   assert.equal(snap(-12.6, turn), -13);
-  assert.equal(snap(0.304, slide), 0.3);            // and not 0.30000000000000004
+  assert.equal(snap(0.572, slide), 0.57);           // and not 57 * 0.01, 0.5700000000000001
   assert.equal(snap(0.306, slide), 0.31);
 });
 
@@ -31,6 +31,7 @@ test("keys go on by whole steps, or by tenths", () => {
   assert.equal(stepped(12, 1, true, turn), 12.1);
   assert.equal(stepped(12.1, -1, true, turn), 12);
   assert.equal(stepped(0.3, -1, false, slide), 0.29);
+  assert.equal(stepped(0.29, 1, false, slide), 0.3);   // 0.29 / 0.01 is a little less than 29
   assert.equal(stepped(179.5, 10, false, turn), 180);
   assert.equal(stepped(0.05, KEYS.Home, false, slide), -0.135);
   assert.equal(stepped(0.05, KEYS.End, true, slide), 0.62);
