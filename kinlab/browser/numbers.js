@@ -3,7 +3,7 @@
 
 /** @typedef {{ value: number, angle: boolean }} Part of a formula, and whether it has a unit */
 
-const LONGEST = 200, LARGEST = 1e100, LARGEST_POWER = 100, DEGREE = Math.PI / 180;
+const MOST_CHARACTERS = 200, LARGEST = 1e100, LARGEST_POWER = 100, DEGREE = Math.PI / 180;
 const LARGEST_ANGLE = 1e4;                          // rad, some 1,600 turns
 const SMALLEST_LENGTH = 1e-9, LARGEST_LENGTH = 1e9;
 const UNITS = new Map([["deg", DEGREE], ["rad", 1]]);
@@ -95,8 +95,8 @@ function pointed(text) {
  * @param {string} text
  */
 function formula(text) {
-  refuseIf(text.length > 2 * LONGEST || [...text].length > LONGEST,
-           `it has more than ${LONGEST} characters, work part of it out first`);
+  refuseIf(text.length > 2 * MOST_CHARACTERS || [...text].length > MOST_CHARACTERS,
+           `it has more than ${MOST_CHARACTERS} characters, work part of it out first`);
   const { value, angle } = valueOf(tokensOf(pointed(text)));
   refuseIf(!(Math.abs(value) <= LARGEST), "it is too large");
   return { value: value + 0, angle };               // no -0
@@ -121,7 +121,7 @@ function tokensOf(typed) {
         : `${quoted(strange)} has no place in a number`);
     }
     const [, number, name, sign] = match, token = number ?? name ?? sign;
-    check(number, name, token, before);
+    checkToken(number, name, token, before);
     tokens.push(...(UNITS.has(token) ? ["*", token] : [token]));
     before = token;
   }
@@ -135,7 +135,7 @@ function tokensOf(typed) {
  * @param {string} token
  * @param {string} before
  */
-function check(number, name, token, before) {
+function checkToken(number, name, token, before) {
   const ended = /[)A-Za-z0-9._]$/.test(before), unit = UNITS.has(token);
   refuseIf(number != null && !Number.isFinite(Number(number)), "it is too large");
   refuseIf(name != null && !KNOWN.has(token) && !FUNCTIONS.has(token),
