@@ -2,10 +2,21 @@
 // in kinlab/ik/descent.py, for the tool point alone; a student's own targets go to kinlab's
 // inverse_kinematics, which explains itself.
 
+import { cross, dot, frames, velocities } from "./frames.js";
+import { clip } from "./steps.js";
+
+/** @import { Drive, Frame, Knob, Scene, Solved, TargetScene, Triple } from "./types.js" */
+/** @typedef {{ q: number[], all: Frame[], e: Triple, cost: number }} Look */
+
 const STEPS = 60, CLOSE = 1e-7, IDLE = 1e-12;      // lengths as parts of the picture's radius
 const FULL_TURN = 2 * Math.PI - 1e-9;
 
-/** Solve the 3 x 3 system (Σ c cᵀ + damping) x = e by Cramer's rule. */
+/**
+ * Solve the 3 x 3 system (Σ c cᵀ + damping) x = e by Cramer's rule.
+ * @param {Triple[]} columns
+ * @param {Triple} e
+ * @param {number} damping
+ */
 function damped(columns, e, damping) {
   const [a, b, c] = [0, 1, 2].map((i) => [0, 1, 2].map((j) =>
     columns.reduce((sum, column) => sum + column[i] * column[j], i === j ? damping : 0)));
@@ -14,23 +25,31 @@ function damped(columns, e, damping) {
     .reduce((x, row, i) => x.map((v, k) => v + row[k] * e[i] / volume), [0, 0, 0]);
 }
 
-/** A joint value within its range; a joint that turns right round has no end. */
-function kept(value, { low, high, scale, unit }) {
+/**
+ * A joint value within its range; a joint that turns right round has no end.
+ * @param {number} value
+ * @param {Pick<Knob, "low" | "high" | "unit">} knob
+ */
+function kept(value, { low, high, unit }) {
   if (unit === "°" && high - low >= FULL_TURN) {
     const turns = Math.floor((value - low) / (2 * Math.PI));
     return value - 2 * Math.PI * turns;
   }
-  return Math.max(low, Math.min(high, value));
+  return clip(value, low, high);
 }
 
 /**
  * Joint values whose tool point is at the goal, or as near as steps from q lead.
- * @returns { q, steps, error } with the error in the scene's length
+ * @param {TargetScene} scene
+ * @param {number[]} q
+ * @param {Triple} goal
+ * @returns {Solved}
  */
 export function reach(scene, q, goal) {
   const { motions, radius, target } = scene, { tip, joints: n } = target;
   const joints = scene.joints.slice(0, n);
   const sizes = joints.map(({ unit }) => unit === "°" ? 1 : radius);
+  /** @type {(at: number[]) => Look} */
   const look = (at) => {
     const all = frames(motions, at), e = goal.map((g, k) => (g - all[tip][3][k]) / radius);
     return { q: at, all, e, cost: dot(e, e) };
@@ -53,6 +72,10 @@ export function reach(scene, q, goal) {
   }
   return { q: best.q, steps, error: Math.sqrt(best.cost) * radius };
 
+  /**
+   * @param {Look} from
+   * @param {number} mu
+   */
   function step(from, mu) {
     const columns = velocities(motions, from.all, tip, n)
       .map((column, i) => column.map((v) => v * sizes[i] / radius));
@@ -60,7 +83,8 @@ export function reach(scene, q, goal) {
       const y = damped(columns, from.e, mu * (from.cost + 1e-9));
       const moves = columns.map((column, i) => dot(column, y) * sizes[i]);
       // A joint that does not move the tool stays where it is, rounding aside.
-      const ahead = from.q.map((value, i) => Math.abs(moves[i]) > IDLE * sizes[i] ? value + moves[i] : value);
+      const ahead = from.q.map((value, i) =>
+        Math.abs(moves[i]) > IDLE * sizes[i] ? value + moves[i] : value);
       const held = joints.map((joint, i) => kept(ahead[i], joint));
       // A joint that stands at its limit and would go on leaves the work to the others.
       const stuck = joints.flatMap((joint, i) =>
@@ -74,46 +98,57 @@ export function reach(scene, q, goal) {
 /**
  * Ties a target to the arm: where the target goes the joints follow, and where the joints go the
  * target rides on the tool.
- * @param joints { read, write } of the joints and, after them, the target's coordinates
- * @param tell called with { steps, error } after each solve
+ * @param {TargetScene} scene
+ * @param {Drive} joints of the joints and, after them, the target's coordinates
+ * @param {(found: Solved | null) => void} tell hears of each solve, and of moves without one
  */
 export function follower(scene, joints, tell) {
   const { knobs, tip, joints: n } = scene.target;
   let last = joints.read(), writing = false;
+  /** @type {(q: number[], from: number, to: number) => boolean} */
   const moved = (q, from, to) => q.slice(from, to).some((v, k) => v !== last[from + k]);
-  const write = (q) => {
+  const write = (/** @type {number[]} */ q) => {
     writing = true;
     joints.write(q);
     writing = false;
     last = joints.read();
   };
-  const goal = (q) => {
+  const goal = (/** @type {number[]} */ q) => {
     const place = frames(scene.motions, q)[tip][3].slice();
     knobs.forEach((knob, k) => { place[k] = q[knob]; });
     return place;
   };
-  const ride = (q) => {
+  const ride = (/** @type {number[]} */ q) => {
     const place = frames(scene.motions, q)[tip][3];
     return q.map((v, i) => knobs.includes(i) ? place[knobs.indexOf(i)] : v);
   };
-  const solve = (q) => {
+  const solve = (/** @type {number[]} */ q) => {
     const found = reach(scene, q, goal(q));
     tell(found);
     write(found.q);
   };
   return {
-    /** Take the target to a place in the room. */
+    /**
+     * Take the target to a place in the room.
+     * @param {Triple} place
+     */
     to(place) {
       const q = joints.read().slice();
       knobs.forEach((knob, k) => {
         const { low, high } = scene.joints[knob];
-        q[knob] = Math.max(low, Math.min(high, place[k]));
+        q[knob] = clip(place[k], low, high);
       });
       solve(q);
     },
-    /** Joints that Play moves: the target leads. */
+    /**
+     * Joints that Play moves: the target leads.
+     * @type {Drive}
+     */
     lead: { read: joints.read, write(q) { solve([...joints.read().slice(0, n), ...q.slice(n)]); } },
-    /** Joints that Home moves: the target rides. */
+    /**
+     * Joints that Home moves: the target rides.
+     * @type {Drive}
+     */
     drive: { read: joints.read, write(q) { tell(null); write(ride(q)); } },
     /** Something else has moved joints or target, one or both. */
     changed() {

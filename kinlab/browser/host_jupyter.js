@@ -1,5 +1,10 @@
-// Ties the live picture (live.js, which stands above this text in one module) to Jupyter: its
-// joints are ipywidgets' sliders, in degrees or lengths.
+// Ties the live picture (mount.js) to Jupyter: its joints are ipywidgets' sliders, in degrees or
+// lengths.
+// @ts-nocheck
+
+import { mount } from "./mount.js";
+import { make } from "./dom.js";
+import { KEYS, snap, stepped } from "./steps.js";
 
 const TELL = 100;                                   // ms between two messages to Python
 
@@ -107,7 +112,7 @@ const keeping = new WeakSet();
  * JupyterLab's own setting for this forgets the views of a notebook that is opened and not run.
  */
 function keepWidgets(manager) {
-  const { context } = manager;                      // JupyterLab's notebook; elsewhere there is none
+  const { context } = manager;                      // a notebook of JupyterLab, or nothing
   if (!context?.model.setMetadata || keeping.has(manager)) return;
   keeping.add(manager);
   context.saveState.connect((_, phase) => {
@@ -121,7 +126,8 @@ function keepWidgets(manager) {
     };
     const outputs = context.model.toJSON().cells.flatMap((cell) => cell.outputs ?? []);
     outputs.forEach((output) => keep(output.data?.[VIEW]?.model_id));
-    context.model.setMetadata("widgets", { [STATE]: { version_major: 2, version_minor: 0, state } });
+    context.model.setMetadata("widgets",
+      { [STATE]: { version_major: 2, version_minor: 0, state } });
   });
 }
 
@@ -157,7 +163,7 @@ async function sliderJoints(model, scene) {
   };
 }
 
-/** Arrow keys on a slider: a step; with Shift a tenth; Page keys ten steps; Home, End the limits. */
+/** Arrow keys on a slider: a step; with Shift a tenth; Page keys ten; Home, End the limits. */
 function sliderKeys(panel, joints) {
   const handle = (event) => {
     if (event.target.getAttribute("role") !== "slider" || !(event.key in KEYS)) return;

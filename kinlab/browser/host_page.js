@@ -1,5 +1,10 @@
-// Ties the live picture (live.js, which stands above this text in one script) to a plain page:
-// its joints are range inputs beside number fields, and the page's address can hold their values.
+// Ties the live picture (mount.js) to a plain page: its joints are range inputs beside number
+// fields, and the page's address can hold their values.
+// @ts-nocheck
+
+import { mount } from "./mount.js";
+import { make, toolbar } from "./dom.js";
+import { KEYS, clip, snap, stepped } from "./steps.js";
 
 const tidy = (value) => Number(value.toPrecision(6));
 
@@ -63,7 +68,7 @@ function pageJoints(knobs, start) {
 
 // ---- the address: #q=30,40,-20, in the sliders' units ----
 
-const ADDRESS_EVERY = 300;                          // ms; browsers refuse more than about 100 in 30 s
+const ADDRESS_EVERY = 300;                          // ms; browsers refuse more than 100 in 30 s
 
 const written = (q, knobs) => `#q=${q.map((value, i) => tidy(value / knobs[i].scale)).join(",")}`;
 

@@ -14,6 +14,8 @@ from pathlib import Path
 from typing import Any
 
 from ..arms import inputs
+from . import bundle
+from .mathml import mathematics, typeset  # noqa: F401 - where callers look for them
 
 HERE = Path(__file__).parent
 _PAGE = """<!doctype html>
@@ -36,30 +38,16 @@ two fingers zoom. Made with kinlab; this page needs no network.</p>
 </body>
 </html>
 """
-# Space about sin and cos, and none between a sign and what it belongs to.
-_OPERAND, _FUNCTION = r"(</(?:mi|mn|msub|msup|msubsup|mrow)>)", "((?:<msup>)?<mi>(?:sin|cos)</mi>)"
-_TYPOGRAPHY = (
-    (_OPERAND + _FUNCTION, r'\1<mspace width="0.17em"/>\2'),
-    (_FUNCTION + "(<mi>|<mn>|<msub>|<msubsup>)", r'\1<mspace width="0.17em"/>\2'),
-    (r"(<mo[^>]*>(?!\)|\]|&#x00029;|&#x0005D;|&#x02026;|&#x022EF;)[^<]*</mo>)"
-     "<mo>(&#x02212;|&#x0002B;)</mo>", r'\1<mo form="prefix">\2</mo>'),
-    (r"<mo[^>]*>(\||&#x0007C;)</mo>", r'<mo lspace="0" rspace="0">\1</mo>'),
-    # Few phones have a font with tall brackets: page.css draws those of matrices.
-    (r"<mo[^>]*>(?:\[|&#x0005B;)</mo><mtable>(.*?)</mtable><mo[^>]*>(?:\]|&#x0005D;)</mo>",
-     r'<mtable class="kl-matrix">\1</mtable>'),
-)
 
 
 def script(host: str) -> str:
     """The live picture's JavaScript, and what ties it to its host: one module."""
-    parts = ("live", "chase", f"host_{host}")
-    return "".join((HERE / f"{name}.js").read_text(encoding="utf-8") for name in parts)
+    return bundle.module(f"host_{host}.js")
 
 
 def classic_script() -> str:
     """The script of a plain page. It is no module: browsers load none from a disk."""
-    plain = re.sub(r"^export ", "", script("page"), flags=re.MULTILINE)
-    return f"(() => {{\n{plain}}})();\n".replace("</script", r"<\/script")
+    return bundle.script("host_page.js")
 
 
 def style() -> str:
@@ -89,26 +77,6 @@ def hidden(svg: str, gids: Iterable[str]) -> str:
     for gid in gids:
         svg = svg.replace(f'<g id="{gid}"', f'<g id="{gid}" style="display: none"')
     return svg
-
-
-def mathematics(latex: str, *, display: bool = False) -> str:
-    """LaTeX as MathML, which browsers typeset themselves.
-
-    >>> mathematics("x_1")[66:]
-    '<mrow><msub><mi>x</mi><mn>1</mn></msub></mrow></math>'
-    """
-    from latex2mathml.converter import convert
-
-    latex = latex.replace("{aligned}", "{align*}")  # the same, and known to the converter
-    mathml = convert(latex, display="block" if display else "inline")
-    for pattern, better in _TYPOGRAPHY:
-        mathml = re.sub(pattern, better, mathml, flags=re.DOTALL)
-    return mathml
-
-
-def typeset(text: str) -> str:
-    """A text with formulas between dollar signs, with those as MathML."""
-    return re.sub(r"\$([^$]+)\$", lambda found: mathematics(found[1]), text)
 
 
 def save(path: Any, title: str, body: str) -> Path:

@@ -1,65 +1,75 @@
-// The cells and buttons of the DH table. Python (kinlab/views/table_editor.py) holds the table: the browser
-// tells it each edit and shows the state that comes back. What is being typed is never touched.
+// The cells and buttons of the DH table. Python (kinlab/views/table_editor.py) holds the table: the
+// browser tells it each edit and shows the state that comes back. What is being typed is never
+// touched.
 
+import { make } from "./dom.js";
+import { choose, lowered, press, typed } from "./table_parts.js";
+import { fill, store } from "./table_store.js";
+
+/** @import { Cell, Field, Model, Row, TableState } from "./types.js" */
+
+/** @type {Record<string, string>} */
 const GREEK = { theta: "θ", alpha: "α", d: "d", a: "a" };
+/** @type {Record<string, string>} */
 const NAMES = { theta: "joint angle", d: "link offset", a: "link length", alpha: "link twist",
                 low: "lower limit", high: "upper limit", home: "home" };
+/** @type {Record<string, string>} */
 const TITLES = { standard: "standard (Spong, Schilling)", modified: "modified (Craig)" };
 const PANELS = [["closed", "Closed form", "The arm matrix in closed form"],
                 ["symbols", "… with symbols", "The arm matrix with letters for its lengths"],
                 ["signs", "Sign pattern", "Only the signs of the table's numbers"],
                 ["compare", "", "The same numbers in the other convention, side by side"]];
 const LIMITS = ["low", "high", "home"];
-const LONGEST = 200, MOST = 60000;                  // characters in a cell, in a file
 
-const make = (tag, attributes = {}, ...children) => {
-  const node = document.createElement(tag);
-  for (const [name, value] of Object.entries(attributes)) {
-    if (value !== null && value !== false) node.setAttribute(name, value);
-  }
-  node.append(...children);
-  return node;
-};
-
-const lowered = (number) => String(number).replace(/\d/g, (digit) => "₀₁₂₃₄₅₆₇₈₉"[digit]);
-
-function choose(label, options, value, take) {
-  const list = make("select", { "aria-label": label, "data-at": label },
-    ...options.map(([key, text]) => make("option", { value: key }, text)));
-  list.value = value;
-  list.addEventListener("change", () => take(list.value, list));
-  return list;
+/**
+ * The parameter of a cell's column with its index: a modified table holds alpha and a of the link
+ * before.
+ * @type {(convention: string, column: string, row: number) => string}
+ */
+function indexed(convention, column, row) {
+  const before = convention === "modified" && (column === "alpha" || column === "a");
+  return `${GREEK[column]}${lowered(before ? row - 1 : row)}`;
 }
 
-function press(text, title, action, extra = {}) {
-  const button = make("button", { type: "button", class: "kl-button", title, "data-at": title,
-                                  "aria-label": text.length > 1 ? null : title, ...extra }, text);
-  button.addEventListener("click", () => action(button));
-  return button;
-}
+export class Editor {
+  static count = 0;
 
-/** A cell of text that is sent when it is left or Enter is pressed; Escape takes it back. */
-function typed(at, label, text, send) {
-  const input = make("input", { type: "text", "data-at": at, "aria-label": label, spellcheck: "false",
-                                autocomplete: "off", maxlength: LONGEST, class: "kl-cell" });
-  input.value = input.committed = text;
-  const commit = () => {
-    if (input.value === input.committed) return;
-    input.committed = input.value;
-    send(input.value);
-  };
-  input.addEventListener("change", commit);
-  input.addEventListener("keydown", (event) => {
-    if (event.key === "Enter") commit();
-    if (event.key === "Escape") input.value = input.committed;
-  });
-  return input;
-}
+  id = Editor.count++;
 
-class Editor {
+  shape = "";
+
+  limits = false;                                   // whether their columns are asked for
+
+  asked = "";                                       // the convention to change to, if one is
+
+  saving = "";                                      // the format of the text box, if it is open
+
+  next = "";                                        // the place that gets the focus
+
+  building = false;
+
+  /**
+   * The last row's key when a row was asked for.
+   * @type {number | null}
+   */
+  after = null;
+
+  /** @type {string[]} */
+  columns = [];
+
+  /**
+   * What Python told last of each cell.
+   * @type {Record<string, Pick<Cell, "text" | "error" | "reads">>}
+   */
+  told = {};
+
+  /**
+   * @param {Model} model
+   * @param {HTMLElement} element
+   */
   constructor(model, element) {
-    Object.assign(this, { model, element, id: Editor.count++, shape: "", limits: false, asked: "", saving: "", next: "",
-                          after: null });
+    this.model = model;
+    this.element = element;
     element.classList.add("kl-table");
     const here = () => { this.next = ""; };         // the student has gone elsewhere
     for (const event of ["pointerdown", "keydown"]) element.addEventListener(event, here, true);
@@ -69,10 +79,14 @@ class Editor {
     });
   }
 
-  static count = 0;
-
+  /** @returns {TableState} */
   get state() { return this.model.get("state"); }
 
+  /**
+   * Ask Python for an edit.
+   * @param {string} what
+   * @param {unknown[]} parameters
+   */
   send(what, ...parameters) {
     if (!this.building) this.model.send({ do: what, with: parameters });
   }
@@ -91,22 +105,31 @@ class Editor {
   }
 
   build() {
-    const active = this.element.contains(document.activeElement) ? document.activeElement : null;
-    const at = this.next || active?.dataset.at, half = active?.committed === undefined ||
-      active.value === active.committed ? null : active.value;
+    const active = /** @type {Field | null} */ (document.activeElement);
+    const within = active && this.element.contains(active) ? active : null;
+    const at = this.next || within?.dataset.at;
+    const half = within?.committed === undefined || within.value === within.committed
+      ? null : within.value;
     this.told = {};
     this.building = true;                           // a cell that goes is not a cell that is left
     this.element.replaceChildren(this.bar(), ...this.question(), this.table(), this.named(),
-                                 ...this.ends(), this.foot(), ...this.store());
+                                 ...this.ends(), this.foot(), ...store(this));
     this.building = false;
-    const found = at && this.element.querySelector(`[data-at="${CSS.escape(at)}"]`);
+    const found = at ? this.find(at) : null;
     if (found) {
       found.focus({ preventScroll: true });
-      if (half !== null && !this.next) found.value = half;
+      if (half != null && !this.next) found.value = half;
       else if (this.next && found.select) found.select();
       this.next = "";
     }
   }
+
+  /**
+   * The cell or button of a place.
+   * @param {string} at
+   * @returns {Field | null}
+   */
+  find(at) { return this.element.querySelector(`[data-at="${CSS.escape(at)}"]`); }
 
   patch() {
     const { state } = this;
@@ -117,51 +140,70 @@ class Editor {
       this.cell(`length ${k}`, length);
       this.cell(`name ${k}`, { text: length.name, error: "" });
     });
-    for (const line of this.element.querySelectorAll(".kl-reason")) {
-      const wrong = JSON.parse(line.dataset.of).map((at) => [at, this.told[at]])
-        .filter(([, { error }]) => error);
-      line.hidden = !wrong.length;
-      line.querySelector("[id]").replaceChildren(...wrong.map(([at, { error }]) =>
-        make("div", {}, make("b", {}, `${this.label(at)} `), error)));
+    this.reasons();
+    for (const [name, possible] of [["Undo", state.undo], ["Redo", state.redo]]) {
+      this.find(String(name))?.toggleAttribute("disabled", !possible);
     }
-    const find = (name) => this.element.querySelector(`[data-at="${name}"]`);
-    find("Undo").disabled = !state.undo;
-    find("Redo").disabled = !state.redo;
-    for (const [panel, , title] of PANELS) find(title).setAttribute("aria-pressed", state.open === panel);
-    const wrong = state.wrong && `${state.wrong === 1 ? "One cell is" : `${state.wrong} cells are`}`
-      + " wrong. The arm below is the last one that could be read.";
-    const remark = this.element.querySelector(".kl-said"), text = state.said || wrong || "";
-    if (remark.textContent !== text) remark.textContent = text;
-    remark.classList.toggle("kl-warns", Boolean(text));
-    this.fill();
+    for (const [panel, , title] of PANELS) {
+      this.find(title)?.setAttribute("aria-pressed", String(state.open === panel));
+    }
+    this.remark();
+    fill(this);
   }
 
-  /** A cell's text, mark and reading; its text only where Python changed it. */
+  /** Below each row, why its cells cannot be read. */
+  reasons() {
+    for (const line of /** @type {NodeListOf<HTMLElement>} */ (
+      this.element.querySelectorAll(".kl-reason"))) {
+      /** @type {string[]} */
+      const places = JSON.parse(line.dataset.of ?? "[]");
+      const wrong = places.filter((at) => this.told[at].error);
+      line.hidden = !wrong.length;
+      line.querySelector("[id]")?.replaceChildren(...wrong.map((at) =>
+        make("div", {}, make("b", {}, `${this.label(at)} `), this.told[at].error)));
+    }
+  }
+
+  /** What Python said last, or how many cells are wrong. */
+  remark() {
+    const { said, wrong: count } = this.state;
+    const wrong = count && `${count === 1 ? "One cell is" : `${count} cells are`} wrong. ` +
+      "The arm below is the last one that could be read.";
+    const remark = /** @type {Element} */ (this.element.querySelector(".kl-said"));
+    const text = said || wrong || "";
+    if (remark.textContent !== text) remark.textContent = text;
+    remark.classList.toggle("kl-warns", Boolean(text));
+  }
+
+  /**
+   * A cell's text, mark and reading; its text only where Python changed it.
+   * @param {string} at
+   * @param {Pick<Cell, "text" | "error" | "reads">} told
+   */
   cell(at, { text, error, reads }) {
-    const input = this.element.querySelector(`[data-at="${at}"]`), before = this.told[at];
+    const input = /** @type {Field} */ (this.find(at)), before = this.told[at];
     this.told[at] = { text, error, reads };
     if (before?.text !== text && input.committed !== text) {
       if (input.value === input.committed || input !== document.activeElement) input.value = text;
       input.committed = text;
     }
-    input.setAttribute("aria-invalid", Boolean(error));
-    if (error) input.setAttribute("aria-describedby", input.dataset.reason);
+    input.setAttribute("aria-invalid", String(Boolean(error)));
+    if (error) input.setAttribute("aria-describedby", input.dataset.reason ?? "");
     else input.removeAttribute("aria-describedby");
     input.title = error || (reads ? `${text} = ${reads}` : "");
     const hint = input.nextElementSibling;
     if (hint?.classList.contains("kl-reads")) hint.textContent = reads ? `= ${reads}` : "";
   }
 
+  /**
+   * What a cell is called where a reason is given.
+   * @param {string} at
+   */
   label(at) {
-    const [key, column] = at.split(" "), { rows, lengths } = this.state;
-    if (key === "length") return `${lengths[column].name}:`;
-    const row = rows.findIndex((one) => String(one.key) === key) + 1;
-    return GREEK[column] ? `${GREEK[column]}${lowered(this.index(column, row))}:` : `${NAMES[column]}:`;
-  }
-
-  /** The index of a parameter in row i: a modified table holds alpha and a of the link before. */
-  index(column, row) {
-    return this.state.convention === "modified" && (column === "alpha" || column === "a") ? row - 1 : row;
+    const [key, column] = at.split(" "), { convention, lengths } = this.state;
+    if (key === "length") return `${lengths[Number(column)].name}:`;
+    const row = this.place(Number(key));
+    return `${GREEK[column] ? indexed(convention, column, row) : NAMES[column]}:`;
   }
 
   // ---- parts ----
@@ -184,7 +226,7 @@ class Editor {
       make("span", { class: "kl-group" },
         press("↶ Undo", "Undo", () => this.send("undo")),
         press("↷ Redo", "Redo", () => this.send("redo"))),
-      press("Limits, home", "Show the limits and the home of each joint", (button) => {
+      press("Limits, home", "Show the limits and the home of each joint", () => {
         this.limits = !this.limits;
         this.show();
       }, { "aria-pressed": this.columns.includes("low") }));
@@ -192,7 +234,7 @@ class Editor {
 
   question() {
     if (!this.asked || this.asked === this.state.convention) return [];
-    const other = this.asked, answer = (what) => () => {
+    const other = this.asked, answer = (/** @type {string} */ what) => () => {
       this.asked = "";
       this.next = "Convention";
       if (what) this.send(what, other);
@@ -212,7 +254,8 @@ class Editor {
     const shift = state.convention === "modified" ? "i−1" : "i";
     const head = columns.map((column) => make("th", { scope: "col", title: NAMES[column] },
       ...(GREEK[column] ? [GREEK[column], make("sub", {},
-        column === "a" || column === "alpha" ? shift : "i"), ` (${state.rows[0].cells[column].unit})`]
+        column === "a" || column === "alpha" ? shift : "i"),
+        ` (${state.rows[0].cells[column].unit})`]
         : [NAMES[column]])));
     return make("table", { class: "kl-dh", "aria-label": "DH table" },
       make("thead", {}, make("tr", {}, make("th", { scope: "col" }, "i"),
@@ -220,19 +263,26 @@ class Editor {
       make("tbody", {}, ...state.rows.flatMap((row, k) => this.row(row, k + 1))));
   }
 
+  /**
+   * A row of cells, and the line below it for reasons.
+   * @param {Row} row
+   * @param {number} i
+   */
   row(row, i) {
     const reason = `kl-reason-${this.id}-${row.key}`, last = this.state.rows.length;
     const kinds = [["revolute", "revolute"], ["prismatic", "prismatic"]];
     const cells = this.columns.map((column) => {
       const star = column === row.variable, letter = GREEK[column];
-      const name = `${letter ? `${letter}${lowered(this.index(column, i))}` : `row ${i}`}, ` +
-        `${star ? `offset of the joint variable` : NAMES[column]}, row ${i}, ${row.cells[column].unit}`;
+      const name = `${letter ? indexed(this.state.convention, column, i) : `row ${i}`}, ` +
+        `${star ? "offset of the joint variable" : NAMES[column]}, row ${i}, ` +
+        row.cells[column].unit;
       const input = typed(`${row.key} ${column}`, name, row.cells[column].text,
         (text) => this.send("with_cell", this.place(row.key), column, text));
       input.dataset.reason = reason;
       if (LIMITS.includes(column)) input.placeholder = column === "home" ? "0" : "none";
       return make("td", { class: star ? "kl-starred" : "" },
-        ...(star ? [make("span", { class: "kl-star", title: "joint variable; its offset in the cell" },
+        ...(star ? [make("span", { class: "kl-star",
+                                   title: "joint variable; its offset in the cell" },
           `${letter}${lowered(i)}*`, make("span", { class: "kl-plus" }, " +"))] : []),
         input, make("span", { class: "kl-reads" }));
     });
@@ -247,16 +297,25 @@ class Editor {
       make("tr", {}, make("th", { scope: "row", title: row.name || `joint ${i}` }, String(i)),
         make("td", {}, choose(`Type of joint ${i}`, kinds, row.kind,
           (kind) => this.send("with_kind", this.place(row.key), kind))), ...cells, tools),
-      make("tr", { class: "kl-reason", hidden: "",
-                   "data-of": JSON.stringify(this.columns.map((column) => `${row.key} ${column}`)) },
-        make("td", {}), make("td", { colspan: this.columns.length + 2, id: reason, role: "alert" }))];
+      this.reason("tr", this.columns.map((column) => `${row.key} ${column}`),
+        make("td"), make("td", { colspan: this.columns.length + 2, id: reason, role: "alert" }))];
+  }
+
+  /**
+   * A place for the reasons of some cells.
+   * @param {"tr" | "div"} tag
+   * @param {string[]} places
+   * @param {HTMLElement[]} children
+   */
+  reason(tag, places, ...children) {
+    return make(tag, { class: "kl-reason", hidden: "", "data-of": JSON.stringify(places) },
+                ...children);
   }
 
   named() {
     const { lengths, unit } = this.state;
     const items = lengths.map(({ name, text }, k) => {
-      const both = () => [`name ${k}`, `length ${k}`].map((at) =>
-        this.element.querySelector(`[data-at="${at}"]`).value);
+      const both = () => [`name ${k}`, `length ${k}`].map((at) => this.find(at)?.value);
       const change = () => this.send("with_length", k + 1, ...both());
       const inputs = [typed(`name ${k}`, `Name of length ${k + 1}`, name, change),
                       typed(`length ${k}`, `Length ${name}, ${unit}`, text, change)];
@@ -265,16 +324,17 @@ class Editor {
       return make("span", { class: "kl-length" }, inputs[0], " = ", inputs[1], ` ${unit} `,
         press("✕", `Remove the length ${name}`, () => this.send("without_length", k + 1)));
     });
-    const taken = new Set(lengths.map(({ name }) => name));
-    const free = Array.from({ length: 30 }, (_, k) => `l${k + 1}`).find((name) => !taken.has(name));
-    this.more = () => {
-      this.next = `name ${lengths.length}`;
-      this.send("with_length", lengths.length + 1, free, "0");
-    };
     return make("div", { class: "kl-lengths" }, ...items,
-      make("div", { class: "kl-reason", hidden: "",
-                    "data-of": JSON.stringify(lengths.map((_, k) => `length ${k}`)) },
+      this.reason("div", lengths.map((_, k) => `length ${k}`),
         make("div", { id: `kl-reason-${this.id}-lengths`, role: "alert" })));
+  }
+
+  /** Ask for one more named length, under the first free name. */
+  more() {
+    const { lengths } = this.state, taken = new Set(lengths.map(({ name }) => name));
+    const free = Array.from({ length: 30 }, (_, k) => `l${k + 1}`).find((name) => !taken.has(name));
+    this.next = `name ${lengths.length}`;
+    this.send("with_length", lengths.length + 1, free, "0");
   }
 
   ends() {
@@ -285,13 +345,15 @@ class Editor {
 
   foot() {
     const other = this.state.conventions.find((name) => name !== this.state.convention);
-    const panels = PANELS.map(([panel, text, title]) => press(text || `Compare with ${other}`, title,
-      () => this.send("open", this.state.open === panel ? "" : panel), { "aria-pressed": "false" }));
+    const panels = PANELS.map(([panel, text, title]) => press(
+      text || `Compare with ${other}`, title,
+      () => this.send("open", this.state.open === panel ? "" : panel),
+      { "aria-pressed": "false" }));
     return make("div", { class: "kl-foot" },
       make("div", { class: "kl-toolbar", role: "toolbar", "aria-label": "Add and show" },
         make("span", { class: "kl-group" },
           press("+ Joint", "Add a joint below the last", () => {
-            this.after = this.state.rows.at(-1).key;
+            this.after = this.last.key;
             this.send("with_row");
           }),
           press("+ Named length", "Add a length that cells may name, such as -d2",
@@ -304,70 +366,45 @@ class Editor {
       make("div", { class: "kl-said", role: "status" }));
   }
 
-  // ---- saving and loading ----
-
-  store() {
-    if (!this.saving) return [];
-    const format = choose("Format", [["csv", "CSV"], ["code", "kinlab code"]], this.saving, (value) => {
-      this.saving = value;
-      this.show();
-    });
-    const text = make("textarea", { "aria-label": "The table as text", rows: "9", spellcheck: "false",
-                                    "data-at": "text" });
-    const file = make("input", { type: "file", accept: ".csv,.py,.txt", "aria-label": "Open a file" });
-    file.addEventListener("change", async () => {
-      if (file.files[0]) this.send("load", (await file.files[0].text()).slice(0, MOST));
-    });
-    return [make("div", { class: "kl-store" }, text,
-      make("div", { class: "kl-toolbar" }, make("label", {}, "as ", format),
-        press("Load this text", "Load the text above", () => this.send("load", text.value)),
-        press("Download", "Download the text above as a file", () => this.download(text.value)),
-        make("label", {}, "Open a file ", file)))];
-  }
-
-  /** The table as text, unless the student has changed that text. */
-  fill() {
-    const area = this.element.querySelector("textarea"), now = this.state[this.saving];
-    if (!area) return;
-    if (area.committed === undefined || area.value === area.committed) area.value = area.committed = now;
-    area.placeholder = this.saving === "code" ? "Correct the marked cells, or paste code here." : "";
-  }
-
-  download(text) {
-    const name = this.saving === "code" ? "dh_table.py" : "dh_table.csv";
-    const link = make("a", { download: name, href: URL.createObjectURL(new Blob([text])) });
-    link.click();
-    setTimeout(() => URL.revokeObjectURL(link.href), 1000);
-  }
-
   // ---- rows, by mouse and by keys ----
 
+  get last() { return this.state.rows[this.state.rows.length - 1]; }
+
+  /**
+   * The number of a row, from 1; 0 if it is gone.
+   * @param {number} key
+   */
   place(key) { return this.state.rows.findIndex((row) => row.key === key) + 1; }
 
+  /**
+   * @param {number} key
+   * @param {number} by
+   */
   move(key, by) {
     const from = this.place(key), to = from + by;
     if (to >= 1 && to <= this.state.rows.length) this.send("with_row_moved", from, to);
   }
 
+  /** @param {number} key */
   remove(key) {
     const { rows } = this.state, from = this.place(key);
     if (rows.length === 1) return;
-    const [, column] = (document.activeElement?.dataset.at ?? "").split(" ");
+    const [, column] = placeOf(document.activeElement);
     const beside = rows[from] ?? rows[from - 2];
     this.next = `${beside.key} ${this.columns.includes(column) ? column : this.columns[0]}`;
     this.send("without_row", from);
   }
 
+  /** @param {KeyboardEvent} event */
   key(event) {
-    const [key, column] = (event.target.dataset?.at ?? "").split(" ");
-    const at = this.state.rows.findIndex((row) => String(row.key) === key);
+    const [key, column] = placeOf(event.target), { rows } = this.state;
+    const at = this.place(Number(key)) - 1;
     if (at < 0 || !this.columns.includes(column) || event.ctrlKey || event.metaKey) return;
-    const row = this.state.rows[at], step = { ArrowUp: -1, ArrowDown: 1 }[event.key];
+    const row = rows[at], step = { ArrowUp: -1, ArrowDown: 1 }[event.key];
     if (step && event.altKey) this.move(row.key, step);
     else if (event.altKey && event.key === "Delete") this.remove(row.key);
     else if (step && !event.shiftKey) {
-      const beside = this.state.rows[at + step];
-      const input = beside && this.element.querySelector(`[data-at="${beside.key} ${column}"]`);
+      const beside = rows[at + step], input = beside && this.find(`${beside.key} ${column}`);
       input?.focus();
       input?.select();
     } else return;
@@ -375,11 +412,18 @@ class Editor {
   }
 }
 
+/**
+ * The row and the column of a cell.
+ * @param {EventTarget | null} node
+ */
+const placeOf = (node) => (node instanceof HTMLElement && node.dataset.at || "").split(" ");
+
+/** @param {{ model: Model, el: HTMLElement }} host */
 function render({ model, el }) {
   const editor = new Editor(model, el);
   const show = () => {
-    const last = editor.state.rows.at(-1);
-    if (editor.after !== null && last.key !== editor.after) {   // the row asked for has come
+    const { last } = editor;
+    if (editor.after != null && last.key !== editor.after) {   // the row asked for has come
       editor.next = `${last.key} ${editor.state.columns[0]}`;
       editor.after = null;
     }

@@ -20,7 +20,7 @@ from ..drawing.scene import Scene
 
 
 class Canvas(anywidget.AnyWidget):
-    """The moving picture, its buttons and its table; live.js and host_jupyter.js do the work."""
+    """The moving picture, its buttons and its table; mount.js and host_jupyter.js do the work."""
 
     _esm = page.script("jupyter")
     # As text: anywidget would watch a file, and keep every canvas for ever to tell it of a change.
@@ -64,7 +64,7 @@ class Knob:
         return cls(name, label, low, high, home, unit, 1.0, step, title)
 
     def slider(self) -> ipywidgets.FloatSlider:
-        """An ordinary slider; live.js makes its steps (see Joint there)."""
+        """An ordinary slider; host_jupyter.js makes its steps (see Joint there)."""
         return ipywidgets.FloatSlider(step=None, **self._looks())
 
     def fitted(self, slider: ipywidgets.FloatSlider | None) -> ipywidgets.FloatSlider:
@@ -108,7 +108,7 @@ class LiveView(ipywidgets.Box):
     name : str
         What the picture shows.
     panels : dict
-        Further data for live.js: switches, table, poses.
+        Further data for mount.js: switches, table, poses.
     below : sequence of widgets
         Shown under the picture.
     preset : str

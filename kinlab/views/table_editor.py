@@ -14,7 +14,7 @@ import traitlets
 
 from ..arms import inputs
 from ..arms.arm import REVOLUTE, Arm, _check_arm, revolute
-from ..browser import page
+from ..browser import bundle, page
 from ..drawing import worker
 from ..drawing.arm_scene import arm_scene
 from ..tables.as_code import from_code, to_code
@@ -40,7 +40,7 @@ _ODD = ("With so many angles that are not multiples of 90° the closed form woul
 class Grid(anywidget.AnyWidget):
     """The table's cells and buttons; table.js does the work."""
 
-    _esm = page.HERE / "table.js"
+    _esm = bundle.module("table.js")
     _css = page.HERE / "table.css"
     state = traitlets.Dict().tag(sync=True)
 

@@ -83,7 +83,7 @@ def page(browser, watched):
 
 @pytest.fixture(scope="module")
 def blank(browser):
-    """A blank page with live.js loaded as a module."""
+    """A blank page with mount.js loaded as a module."""
     page = browser.new_page()
     page.evaluate(LOAD, SOURCE)
     yield page

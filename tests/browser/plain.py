@@ -1,12 +1,9 @@
-"""live.js in a plain page: how it is loaded and mounted there, and what it has painted."""
-from pathlib import Path
-
+"""mount.js in a plain page: how it is loaded and mounted there, and what it has painted."""
 import anywidget
 
-import kinlab as kl
+from kinlab.browser import bundle
 
-SOURCE = "".join((Path(kl.__file__).parent / "browser" / f"{name}.js").read_text(encoding="utf-8")
-                 for name in ("live", "chase"))
+SOURCE = bundle.module("mount.js") + "export { frames, reach };\n"
 LOAD = """async source => {
     const url = URL.createObjectURL(new Blob([source], {type: 'text/javascript'}));
     window.kinlab = await import(url);

@@ -1,6 +1,6 @@
 """Read what a live view draws, and say where it should stand by formulas typed here.
 
-Nothing here goes through kinlab/drawing/figure.py or kinlab/browser/live.js: only the arm's
+Nothing here goes through kinlab/drawing/figure.py or kinlab/browser/picture.js: only the arm's
 frames, the scene's centre and scale, and an orthographic projection.
 """
 from __future__ import annotations

@@ -10,7 +10,7 @@ from lesson_views import VIEWS
 from markup import Reader
 
 import kinlab as kl
-from kinlab.browser import page
+from kinlab.browser import bundle, page
 
 
 def write(view, folder):
@@ -94,7 +94,7 @@ def test_the_script_is_a_classic_one():
     script = page.classic_script()
     assert not re.search(r"^\s*(export|import)\b", script, re.MULTILINE)
     assert "</script" not in script and page.script("jupyter").startswith(
-        Path(page.__file__).with_name("live.js").read_text(encoding="utf-8"))
+        bundle.module("mount.js").replace("export ", ""))
 
 
 def test_widgets_beside_the_view_come_along_or_say_that_they_cannot():

@@ -1,4 +1,4 @@
-"""live.js without Jupyter: the same frames and the same picture in a plain HTML page."""
+"""mount.js without Jupyter: the same frames and the same picture in a plain HTML page."""
 import itertools
 
 import numpy as np
@@ -20,7 +20,7 @@ course = pytest.mark.parametrize("robot", COURSE, ids=lambda robot: robot.__name
 
 
 def matrices(frames):
-    """4x4 matrices from live.js' lists of axes and origin."""
+    """4x4 matrices from frames.js' lists of axes and origin."""
     T = np.tile(np.eye(4), (len(frames), 1, 1))
     T[:, :3, :] = np.swapaxes(np.array(frames), 1, 2)
     return T

@@ -1,0 +1,77 @@
+"""The JavaScript's modules joined into one text, for a widget and for a page of its own.
+
+anywidget takes one module, and browsers load no modules from a disk. So the modules that an entry
+imports are put before it, each after those it needs itself; all then share one scope. Comments
+in ``/** */``, which are for whoever reads or checks the source, stay behind.
+"""
+from __future__ import annotations
+
+import re
+from collections import Counter
+from pathlib import Path
+
+HERE = Path(__file__).parent
+_IMPORT = re.compile(r'^import \{([^}]*)\} from "\./([\w.]+)";\n', re.MULTILINE)
+_EXPORT = re.compile(r"^export (?!default\b)", re.MULTILINE)
+_DOCS = re.compile(r"^ */\*\*.*?\*/\n", re.MULTILINE | re.DOTALL)
+# The names that a line at the margin defines: "const A = 1, B = 2;" defines two.
+_NAMES = re.compile(r"^(export )?(?:(?:async )?function\*?|class|const|let) "
+                    r"((?:\w+ = [^,;({[]+, )*\w+)", re.MULTILINE)
+
+
+def module(entry: str, folder: Path = HERE) -> str:
+    """One ES module with the exports of the entry module alone.
+
+    Raises ValueError, in one sentence, where the modules cannot stand in one scope.
+    """
+    *needed, last = _in_order(entry, folder)
+    return "".join([_EXPORT.sub("", text) for text in needed] + [last])
+
+
+def script(entry: str, folder: Path = HERE) -> str:
+    """One classic script that leaves no names behind and may stand inside a page."""
+    plain = _EXPORT.sub("", module(entry, folder))
+    return f"(() => {{\n{plain}}})();\n".replace("</script", r"<\/script")
+
+
+def _in_order(entry: str, folder: Path) -> list[str]:
+    """The texts without their imports, what is needed first."""
+    texts: dict[str, str] = {}
+
+    def add(name: str, asked: tuple[str, ...]) -> None:
+        if name in asked:
+            raise ValueError(f"{' > '.join([*asked, name])}: these modules import each other in a "
+                             "circle; move what both need into a third")
+        if name in texts:
+            return
+        text = (folder / name).read_text(encoding="utf-8")
+        for wanted, source in _IMPORT.findall(text):
+            add(source, (*asked, name))
+            for one in re.split(r",\s*", wanted.strip().rstrip(",")):
+                if one not in _names(texts[source], exported=True):
+                    raise ValueError(f"{name}: imports {one!r} from {source}, which exports no "
+                                     "such name")
+        texts[name] = text
+
+    add(entry, ())
+    _check(texts)
+    return [_DOCS.sub("", _IMPORT.sub("", text)) for text in texts.values()]
+
+
+def _names(text: str, *, exported: bool = False) -> list[str]:
+    return [one.split(" = ")[0] for export, names in _NAMES.findall(text)
+            if export or not exported for one in names.split(", ")]
+
+
+def _check(texts: dict[str, str]) -> None:
+    """That the texts can stand in one scope."""
+    owners: dict[str, str] = {}
+    for name, text in texts.items():
+        if found := re.search(r"^import\b.*", _IMPORT.sub("", text), re.MULTILINE):
+            raise ValueError(f"{name}: cannot follow {found[0]!r}; write "
+                             'import { name } from "./module.js";')
+        for one, count in Counter(_names(text)).items():
+            if one in owners or count > 1:
+                raise ValueError(f"{name}: defines {one!r}, which {owners.get(one, name)} defines "
+                                 "too; joined modules share one scope, so give one another name")
+            owners[one] = name

@@ -1,0 +1,54 @@
+// Elements of a page, buttons, and numbers as print has them.
+
+/** @typedef {(pressed: HTMLButtonElement) => void} Action */
+/** @typedef {[text: string, title: string, action: Action, ...more: unknown[]]} Button */
+
+/**
+ * An element with attributes, those that are absent or false left out, and children.
+ * @template {keyof HTMLElementTagNameMap} Tag
+ * @param {Tag} tag
+ * @param {Record<string, unknown>} attributes
+ * @param {(Node | string)[]} children
+ */
+export function make(tag, attributes = {}, ...children) {
+  const node = document.createElement(tag);
+  for (const [name, value] of Object.entries(attributes)) {
+    if (value != null && value !== false) node.setAttribute(name, String(value));
+  }
+  node.append(...children);
+  return node;
+}
+
+/**
+ * A button that calls `action` with itself.
+ * @param {string} text
+ * @param {string} title
+ * @param {Action} action
+ * @param {Record<string, unknown>} attributes
+ */
+export function button(text, title, action, attributes = {}) {
+  const node = make("button", { type: "button", class: "kl-button", title, ...attributes }, text);
+  node.addEventListener("click", () => action(node));
+  return node;
+}
+
+/**
+ * Groups of buttons: of each its label, then its buttons.
+ * @param {[label: string, ...buttons: Button[]][]} groups
+ */
+export function toolbar(groups) {
+  return make("div", { class: "kl-toolbar", role: "toolbar", "aria-label": "View" },
+    ...groups.map(([label, ...buttons]) =>
+      make("span", { class: "kl-group", role: "group", "aria-label": label },
+        ...buttons.map(([text, title, action]) => button(text, title, action)))));
+}
+
+/**
+ * A number with so many decimals, a true minus sign and no negative zero.
+ * @param {number} value
+ * @param {number} decimals
+ */
+export function number(value, decimals) {
+  const text = value.toFixed(decimals);
+  return Number(text) === 0 ? (0).toFixed(decimals) : text.replace("-", "\u2212");
+}

@@ -1,0 +1,127 @@
+// Where frames go: the recurrence of kinlab/arms/motions.py at the knobs' values.
+
+/** @import { Elementary, Frame, Motion, Triple, Velocity } from "./types.js" */
+
+export const ROTATE = 0, VELOCITY = 2;
+
+/** @type {(since: number) => number} */
+const run = (since) => Math.min(1, Math.max(0, since));
+
+/**
+ * What a list holds at 0, 1, 2, ..., and straight between them.
+ * @param {number[]} track
+ * @param {number} place
+ */
+function between(track, place) {
+  const at = Math.max(0, Math.min(track.length - 1, place)), k = Math.floor(at);
+  return track[k] + (at - k) * ((track[k + 1] ?? track[k]) - track[k]);
+}
+
+/**
+ * How far a motion goes: amount + gain q, as far as knobs have scrubbed it.
+ * @param {Elementary} motion
+ * @param {number[]} q
+ */
+export function travel([, , amount, joint, gain, start, , scrub, track], q) {
+  if (track) return between(track, q[joint]);
+  const share = scrub ? run(q[scrub[0]] - scrub[1]) : 1;
+  if (joint < 0) return share * amount;
+  return share * (amount + gain * (start == null ? q[joint] : run(q[joint] - start)));
+}
+
+/**
+ * Every frame along the motions at the knobs' values q; frame 0 is the room.
+ * @param {Motion[]} motions
+ * @param {number[]} q
+ */
+export function frames(motions, q) {
+  /** @type {Frame[]} */
+  const all = [[[1, 0, 0], [0, 1, 0], [0, 0, 1], [0, 0, 0]]];
+  for (const motion of motions) {
+    all.push(motion[0] === VELOCITY ? velocityFrame(motions, all, motion) : moved(motion, all, q));
+  }
+  return all;
+}
+
+/** @type {(motion: Elementary, all: Frame[], q: number[]) => Frame} */
+function moved(motion, all, q) {
+  const [kind, axis] = motion, value = travel(motion, q), frame = all[motion[6]].slice();
+  if (kind === ROTATE) {
+    const i = (axis + 1) % 3, j = (axis + 2) % 3, c = Math.cos(value), s = Math.sin(value);
+    const [u, v] = [frame[i], frame[j]];
+    frame[i] = u.map((_, k) => c * u[k] + s * v[k]);
+    frame[j] = u.map((_, k) => c * v[k] - s * u[k]);
+  } else {
+    frame[3] = frame[3].map((o, k) => o + value * frame[axis][k]);
+  }
+  return frame;
+}
+
+/** @type {(u: Triple, v: Triple) => number} */
+export const dot = (u, v) => u.reduce((sum, e, k) => sum + e * v[k], 0);
+
+/** @type {(u: Triple, v: Triple) => Triple} */
+export const cross = ([a, b, c], [d, e, f]) => [b * f - c * e, c * d - a * f, a * e - b * d];
+
+/**
+ * Velocity of the origin of frame `of` for a unit rate of each of n knobs, as in
+ * kinlab/drawing/velocity.py.
+ * @param {Motion[]} motions
+ * @param {Frame[]} all
+ * @param {number} of
+ * @param {number} n
+ */
+export function velocities(motions, all, of, n) {
+  const columns = Array.from({ length: n }, () => [0, 0, 0]), tip = all[of][3];
+  for (let k = of, parent; k > 0; k = parent) {
+    const motion = /** @type {Elementary} */ (motions[k - 1]);   // no motion begins at a velocity
+    const [kind, axis, , joint, gain] = motion, direction = all[k][axis];
+    parent = motion[6];
+    if (joint < 0) continue;
+    const arm = tip.map((e, i) => e - all[k][3][i]);
+    const turning = kind === ROTATE ? cross(direction, arm) : direction;
+    columns[joint] = columns[joint].map((e, i) => e + gain * turning[i]);
+  }
+  return columns;
+}
+
+/**
+ * The end of a Jacobian's column, or the ellipsoid of all velocities.
+ * @type {(motions: Motion[], all: Frame[], velocity: Velocity) => Frame}
+ */
+function velocityFrame(motions, all, [, of, rates, joint]) {
+  const tip = all[of][3];
+  const columns = velocities(motions, all, of, rates.length)
+    .map((column, i) => column.map((e) => e * rates[i]));
+  if (joint >= 0) return [...all[0].slice(0, 3), tip.map((e, k) => e + columns[joint][k])];
+  return [...root([0, 1, 2].map((i) => [0, 1, 2].map((j) =>
+    columns.reduce((sum, column) => sum + column[i] * column[j], 0)))), tip];
+}
+
+/**
+ * Columns of the lower triangle L with L Lᵀ = square; a direction that is flat gets zeros.
+ * @param {number[][]} square
+ */
+function root(square) {
+  const columns = [0, 1, 2].map(() => [0, 0, 0]), size = square[0][0] + square[1][1] + square[2][2];
+  columns.forEach((column, k) => {
+    const left = square.map((row, i) => row[k] - columns.reduce((sum, c) => sum + c[i] * c[k], 0));
+    if (left[k] <= 1e-12 * size) return;
+    for (let i = k; i < 3; i++) column[i] = left[i] / Math.sqrt(left[k]);
+  });
+  return columns;
+}
+
+/**
+ * A frame as another frame sees it.
+ * @type {(frame: Frame, other: Frame) => Frame}
+ */
+export const seenFrom = ([x, y, z, o], [u, v, w, p]) =>
+  [x, y, z, o.map((e, k) => e - p[k])].map((column) => [u, v, w].map((e) => dot(e, column)));
+
+/**
+ * A point of a frame, in the room.
+ * @type {(frame: Frame, point: Triple) => Triple}
+ */
+export const inRoom = ([x, y, z, o], [a, b, c]) =>
+  o.map((_, k) => o[k] + a * x[k] + b * y[k] + c * z[k]);

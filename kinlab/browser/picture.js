@@ -1,0 +1,214 @@
+// The picture: frames projected as in kinlab/drawing/figure.py set the attributes of the SVG that
+// matplotlib drew, and nearer groups are put over farther ones.
+
+import { frames, inRoom } from "./frames.js";
+
+/** @import { Camera, Frame, Item, Scene, Shape, Triple } from "./types.js" */
+/** @typedef {Item & { group: SVGGElement, node: SVGElement }} Drawn */
+
+/**
+ * The picture's right and up as directions of the room.
+ * @param {Camera} camera
+ */
+export function screenAxes(camera) {
+  const [a, e] = [camera.azimuth, camera.elevation].map((angle) => angle * Math.PI / 180);
+  const [ca, sa, ce, se] = [Math.cos(a), Math.sin(a), Math.cos(e), Math.sin(e)];
+  return [[-sa, ca, 0], [-se * ca, -se * sa, ce]];
+}
+
+/**
+ * A function that takes points of the room to [right, down, nearness] on the picture.
+ * @param {Pick<Scene, "place" | "scale" | "center">} scene
+ * @param {Camera} camera
+ * @returns {(point: Triple) => Triple}
+ */
+export function projector(scene, camera) {
+  const [a, e] = [camera.azimuth, camera.elevation].map((angle) => angle * Math.PI / 180);
+  const [ca, sa, ce, se] = [Math.cos(a), Math.sin(a), Math.cos(e), Math.sin(e)];
+  const [[right, down], scale] = [scene.place, scene.scale * camera.zoom];
+  return (p) => {
+    const [x, y, z] = p.map((v, k) => v - scene.center[k]);
+    const forward = ca * x + sa * y;
+    return [right + scale * (ca * y - sa * x),
+            down - scale * (ce * z - se * forward), ce * forward + se * z];
+  };
+}
+
+/** @type {(point: number[]) => string} */
+const corner = ([x, y]) => `${x.toFixed(2)} ${y.toFixed(2)}`;
+
+/** @type {(points: number[][]) => string} */
+const polyline = (points) => `M ${points.map(corner).join(" L ")}`;
+
+/** @param {number[][]} points */
+function face(points) {
+  const area = points.reduce((sum, [x, y], k) => {
+    const [u, v] = points[(k + 1) % points.length];
+    return sum + x * v - u * y;
+  }, 0);
+  return area < 0 ? `${polyline(points)} Z` : "";   // y points down
+}
+
+/** @param {number[][]} points */
+function arrow([tail, tip]) {
+  const [dx, dy] = [tip[0] - tail[0], tip[1] - tail[1]], length = Math.hypot(dx, dy);
+  const [ux, uy] = length > 1e-9 ? [dx / length, dy / length] : [0, 0];
+  const head = Math.min(9, 0.5 * length), side = 0.36 * head;
+  const neck = [tip[0] - head * ux, tip[1] - head * uy];
+  const wing = (/** @type {1 | -1} */ s) => [neck[0] - s * side * uy, neck[1] + s * side * ux];
+  return polyline([tail, neck, wing(1), tip, wing(-1), neck, tail]);
+}
+
+/** @type {(o: number[], a: number[], b: number[]) => number} */
+const turn = ([x, y], [u, v], [s, t]) => (u - x) * (t - y) - (v - y) * (s - x);
+
+/**
+ * The outline round all points, by Andrew's monotone chain.
+ * @param {number[][]} points
+ */
+function hull(points) {
+  const ordered = [...points].sort((p, q) => p[0] - q[0] || p[1] - q[1]);
+  const half = (/** @type {number[][]} */ chain) => {
+    /** @type {number[][]} */
+    const kept = [];
+    for (const p of chain) {
+      for (let k = kept.length; k > 1 && turn(kept[k - 2], kept[k - 1], p) <= 0; k--) kept.pop();
+      kept.push(p);
+    }
+    return kept.slice(0, -1);
+  };
+  return `${polyline([...half(ordered), ...half(ordered.reverse())])} Z`;
+}
+
+/**
+ * How the points of a shape become a path.
+ * @type {Record<Exclude<Shape, "text">, (points: number[][]) => string>}
+ */
+export const PATHS = { line: polyline, trace: polyline, face, arrow, solid: hull };
+
+const TRACE_LENGTH = 4000;
+const PAPER = { azimuth: -90, elevation: 90, zoom: 1 };   // x to the right, y up
+
+export class Picture {
+  /**
+   * Where the tip has been, for the trace.
+   * @type {Triple[]}
+   */
+  path = [];
+
+  /**
+   * The frames as they were drawn last.
+   * @type {Frame[]}
+   */
+  at = [];
+
+  /** @type {Camera} */
+  camera = PAPER;
+
+  order = "";
+
+  /**
+   * @param {SVGSVGElement} svg
+   * @param {Scene} scene
+   */
+  constructor(svg, scene) {
+    this.svg = svg;
+    this.scene = scene;
+    this.items = scene.items.map((item) => this.found(item));
+    this.bodies = this.items.filter((item) => item.body >= 0);
+    this.parent = /** @type {Element} */ (this.items[0].group.parentNode);
+    this.reset(Object.keys(scene.presets)[0]);
+  }
+
+  /**
+   * @param {Item} item
+   * @returns {Drawn}
+   */
+  found(item) {
+    const group = /** @type {SVGGElement} */ (this.svg.getElementById(item.gid));
+    const node = group.querySelector(item.shape === "text" ? "text" : "path");
+    group.classList.add(`kl-${item.style}`, `kl-shape-${item.shape}`);
+    return { ...item, group, node: /** @type {SVGElement} */ (node) };
+  }
+
+  /**
+   * Look from one of the scene's presets.
+   * @param {string} preset
+   */
+  reset(preset) {
+    const [azimuth, elevation] = this.scene.presets[preset];
+    this.camera = { azimuth, elevation, zoom: 1 };
+  }
+
+  /**
+   * @param {string} layer
+   * @param {boolean} visible
+   */
+  show(layer, visible) {
+    if (layer === "trace") this.path = [];
+    for (const { group } of this.items.filter((item) => item.layer === layer)) {
+      group.style.display = visible ? "" : "none";
+    }
+  }
+
+  /**
+   * Draw the scene at the knobs' values; gives the frames there.
+   * @param {number[]} q
+   */
+  draw(q) {
+    const { motions, focus, tip, center } = this.scene, at = this.at = frames(motions, q);
+    const middle = focus == null ? center : at[focus][3];
+    const project = projector({ ...this.scene, center: middle }, this.camera);
+    const onPaper = projector({ ...this.scene, center: middle }, PAPER);
+    /** @type {Map<number, number[]>} */
+    const depths = new Map();
+    this.follow(at[tip][3]);
+    for (const item of this.items) {
+      const room = item.shape === "trace" ? this.path
+        : item.points.map(([k, ...local]) => inRoom(at[k], local));
+      const points = room.map(item.paper ? onPaper : project);
+      this.set(item, points);
+      if (item.body >= 0) {
+        const near = item.lift + points.reduce((sum, p) => sum + p[2], 0) / points.length;
+        depths.set(item.body, [...(depths.get(item.body) ?? []), near]);
+      }
+    }
+    this.stack(depths);
+    return at;
+  }
+
+  /**
+   * @param {Drawn} item
+   * @param {number[][]} points
+   */
+  set({ shape, node }, points) {
+    if (shape !== "text") return node.setAttribute("d", PATHS[shape](points));
+    const [x, y] = points[0];
+    node.removeAttribute("transform");
+    node.setAttribute("x", x.toFixed(2));
+    node.setAttribute("y", (y + 4).toFixed(2));    // half the height of the letters
+  }
+
+  /** @param {Triple} tip */
+  follow(tip) {
+    const last = this.path.at(-1);
+    if (last && Math.hypot(...tip.map((v, k) => v - last[k])) * this.scene.scale < 0.2) return;
+    this.path.push(tip);
+    if (this.path.length > TRACE_LENGTH) this.path.shift();
+  }
+
+  /**
+   * Lay nearer bodies over farther ones.
+   * @param {Map<number, number[]>} depths
+   */
+  stack(depths) {
+    const mean = new Map([...depths].map(([body, near]) =>
+      [body, near.reduce((sum, d) => sum + d, 0) / near.length]));
+    const far = (/** @type {Item} */ item) => mean.get(item.body) ?? 0;
+    const sorted = [...this.bodies].sort((a, b) => far(a) - far(b));
+    const order = sorted.map((item) => item.body).join();
+    if (order === this.order) return;
+    this.order = order;
+    this.parent.append(...sorted.map((item) => item.group));
+  }
+}

@@ -1,0 +1,62 @@
+// Movement between poses.
+
+/** @import { Drive } from "./types.js" */
+
+/**
+ * How far of its way something is at the time t from 0 to 1; it starts and ends at rest.
+ * @param {number} t
+ */
+export const smooth = (t) => t * t * t * (10 - 15 * t + 6 * t * t);
+
+export class Mover {
+  request = 0;
+
+  writing = false;
+
+  /** @param {() => void} onStop */
+  constructor(onStop) {
+    this.onStop = onStop;
+  }
+
+  /**
+   * Move joints through poses, each in `duration` ms, for ever if `loop`.
+   * @param {Drive} joints
+   * @param {number[][]} poses
+   * @param {number} duration
+   */
+  start(joints, poses, duration, loop = false) {
+    this.stop();
+    if (matchMedia("(prefers-reduced-motion: reduce)").matches) duration = 0;
+    let from = joints.read(), next = 0, began = performance.now();
+    const step = (/** @type {number} */ now) => {
+      const t = duration ? Math.max(0, Math.min(1, (now - began) / duration)) : 1;
+      const to = poses[next], s = smooth(t);
+      this.write(joints, t < 1 ? from.map((q, i) => q + s * (to[i] - q)) : to);
+      if (t === 1) {
+        [from, began, next] = [to, now, next + 1];
+        if (next === poses.length) {
+          if (!loop || !duration) return this.stop();
+          next = 0;
+        }
+      }
+      this.request = requestAnimationFrame(step);
+    };
+    this.request = requestAnimationFrame(step);
+  }
+
+  /**
+   * @param {Drive} joints
+   * @param {number[]} q
+   */
+  write(joints, q) {
+    this.writing = true;
+    joints.write(q);
+    this.writing = false;
+  }
+
+  stop() {
+    cancelAnimationFrame(this.request);
+    this.request = 0;
+    this.onStop();
+  }
+}

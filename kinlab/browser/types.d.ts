@@ -1,0 +1,191 @@
+/**
+ * What Python sends to the browser (kinlab/drawing/scene.py, kinlab/views), and what modules hand
+ * each other. TypeScript reads this when the JavaScript is checked; nothing of it is loaded.
+ */
+
+/** Python's None: null, or undefined where Python runs in the browser itself. */
+export type Nothing = null | undefined;
+
+/** Three coordinates. */
+export type Triple = number[];
+
+/** The directions x, y and z of a frame and its origin, in the room. */
+export type Frame = Triple[];
+
+/** A point of a frame: the frame's number, then x, y, z there. */
+export type Point = number[];
+
+/** A turn (0) about, or a slide (1) along, one of the frame's own axes. */
+export type Elementary = [
+  kind: 0 | 1, axis: number, amount: number, joint: number, gain: number, start: number | Nothing,
+  parent: number, scrub: [knob: number, from: number] | Nothing, track: number[] | Nothing,
+];
+
+/** A column of the Jacobian (joint >= 0), or the ellipsoid of all velocities, of a frame's origin. */
+export type Velocity = [kind: 2, of: number, rates: number[], joint: number];
+
+export type Motion = Elementary | Velocity;
+
+export type Shape = "line" | "trace" | "face" | "arrow" | "solid" | "text";
+
+/** One drawn thing, as Item in kinlab/drawing/scene.py. */
+export interface Item {
+  gid: string;
+  shape: Shape;
+  style: string;
+  points: Point[];
+  body: number;
+  layer: string;
+  text: string;
+  lift: number;
+  paper: boolean;
+}
+
+export interface Vector { tail: Point; head: Point; frame: number; size: number; scale: number }
+export interface Amount { step: number }
+export interface Volume { ellipsoid: number; size: number; scale: number }
+export interface Entry { knob: number; texts: string[] }
+
+/** A formula under the picture, with a {} in its text for each part. */
+export interface Reading {
+  name: string;
+  text: string;
+  vectors: (Vector & Amount & Volume & Entry)[];
+}
+
+/** What one slider drives, in the scene's units; shown divided by `scale`. */
+export interface Knob {
+  label: string;
+  title: string;
+  unit: string;
+  suffix: string;
+  low: number;
+  high: number;
+  home: number;
+  scale: number;
+  step: number;
+  digits: number;
+}
+
+/** Whole steps between limits, in the slider's units. */
+export interface Stops { low: number; high: number; step: number }
+
+/** A switch of the picture. */
+export interface Layer { layer: string; label: string; title: string; on: boolean }
+
+/** The matrix of the tool's frame. */
+export interface Pose {
+  title: string;
+  columns: { name: string; title?: string }[];
+  rows?: number | Nothing;
+  base?: number | Nothing;
+  decimals: number;
+  unit: string;
+  said?: string | Nothing;
+}
+
+/** A target that the first `joints` joints follow with the frame `tip`. */
+export interface Target {
+  frame: number;
+  tip: number;
+  joints: number;
+  knobs: number[];
+  unit: string;
+}
+
+export interface Scene {
+  name: string;
+  motions: Motion[];
+  items: Item[];
+  readings: Reading[];
+  tip: number;
+  center: Triple;
+  focus: number | Nothing;
+  place: [right: number, down: number];
+  scale: number;
+  radius: number;
+  size: [width: number, height: number];
+  wide: boolean;
+  presets: Record<string, [azimuth: number, elevation: number]>;
+  preset: string;
+  decimals: number;
+  joints: Knob[];
+  layers: Layer[];
+  pose: Pose | Nothing;
+  target: Target | Nothing;
+  home: number[];
+  zero: number[];
+  poses: number[][];
+}
+
+/** A scene whose joints follow a target. */
+export type TargetScene = Scene & { target: Target };
+
+/** Where a picture is seen from, angles in degrees. */
+export interface Camera { azimuth: number; elevation: number; zoom: number }
+
+/** Values of the knobs in the scene's units: to read and write, and to hear of. */
+export interface Drive { read(): number[]; write(q: number[]): void }
+export interface Joints extends Drive { listen(callback: () => void): () => void }
+
+/** What a solve came to; the error is in the scene's length. */
+export interface Solved { q: number[]; steps: number; error: number }
+
+/** A part of the page below the picture, and its words for a screen reader. */
+export interface Panel { node: HTMLElement; text(): string }
+
+/** What a view tells its next one, so that it is looked at in the same way. */
+export interface Looks {
+  began: string;
+  preset: string;
+  camera: Camera;
+  shown: Record<string, boolean>;
+}
+
+/** A view that stands in a page. */
+export interface Live { note(text: string): void; freeze(): void; dismount(): Looks }
+
+/** The model that anywidget gives. */
+export interface Model {
+  get(name: string): any;
+  set(name: string, value: unknown): void;
+  save_changes(): void;
+  send(content: unknown): void;
+  on(event: string, callback: (...what: any[]) => void): void;
+  off(event: string, callback: (...what: any[]) => void): void;
+  widget_manager: any;
+}
+
+/** A cell of the table editor: what is typed, why it cannot be read, and what it reads as. */
+export interface Cell { text: string; error: string; reads?: string; unit: string }
+
+export interface Row {
+  key: number;
+  kind: string;
+  name: string;
+  variable: string;
+  cells: Record<string, Cell>;
+}
+
+/** What kinlab/views/table_editor.py tells of its table. */
+export interface TableState {
+  rows: Row[];
+  columns: string[];
+  convention: string;
+  conventions: string[];
+  angles: string;
+  unit: string;
+  units: string[];
+  lengths: (Cell & { name: string })[];
+  ends: Record<string, string>;
+  undo: boolean;
+  redo: boolean;
+  open: string;
+  said: string;
+  wrong: number;
+  csv: string;
+  code: string;
+}
+
+/** A field that remembers the text that Python knows. */
+export type Field = (HTMLInputElement | HTMLTextAreaElement) & { committed?: string };

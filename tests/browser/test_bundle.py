@@ -1,0 +1,57 @@
+"""Modules of JavaScript joined into one text."""
+import pytest
+
+from kinlab.browser import bundle
+
+MODULES = {
+    "low.js": "// Says </script> once.\n/**\n * Two numbers.\n */\n"
+              "export const low = 1, deep = 2;\n",
+    "middle.js": 'import { low } from "./low.js";\n\n/** @type {() => number} */\n'
+                 "export function half() { return /** here */ low / 2; }\n",
+    "entry.js": 'import {\n  half,\n} from "./middle.js";\nimport { low } from "./low.js";\n\n'
+                "export const all = half() + low;\n\nexport default { all };\n",
+}
+
+
+@pytest.fixture
+def folder(tmp_path):
+    for name, text in MODULES.items():
+        (tmp_path / name).write_text(text, encoding="utf-8")
+    return tmp_path
+
+
+def test_what_is_needed_comes_first_and_only_the_entry_exports(folder):
+    assert bundle.module("entry.js", folder) == (
+        "// Says </script> once.\nconst low = 1, deep = 2;\n"
+        "\nfunction half() { return /** here */ low / 2; }\n"
+        "\nexport const all = half() + low;\n\nexport default { all };\n")
+
+
+def test_a_page_gets_a_script_that_cannot_end_early(folder):
+    assert bundle.script("middle.js", folder) == (
+        "(() => {\n// Says <\\/script> once.\nconst low = 1, deep = 2;\n"
+        "\nfunction half() { return /** here */ low / 2; }\n})();\n")
+
+
+@pytest.mark.parametrize("text, words", [
+    ('import { low } from "./low.js";\nconst other = 3, deep = 4;\n',
+     "new.js: defines 'deep', which low.js defines too; joined modules share one scope, so give "
+     "one another name"),
+    ("function twice() {}\nclass twice {}\n", "new.js: defines 'twice', which new.js defines too"),
+    ('import { high } from "./low.js";\n',
+     "new.js: imports 'high' from low.js, which exports no such name"),
+    ('import { low as one } from "./low.js";\n', "new.js: imports 'low as one' from low.js"),
+    ('import * as low from "./low.js";\n', "new.js: cannot follow 'import * as low from"),
+    ('import { all } from "./new.js";\n',
+     "new.js > new.js: these modules import each other in a circle"),
+])
+def test_modules_that_cannot_share_a_scope_are_refused(text, words, folder):
+    (folder / "new.js").write_text(text, encoding="utf-8")
+    with pytest.raises(ValueError) as error:
+        bundle.module("new.js", folder)
+    assert str(error.value).startswith(words) and "\n" not in str(error.value)
+
+
+@pytest.mark.parametrize("entry", ["host_jupyter.js", "table.js", "mount.js", "host_page.js"])
+def test_the_modules_of_the_package_share_one_scope(entry):
+    assert "\nimport " not in bundle.module(entry)
