@@ -8,12 +8,13 @@ array([485.1,   0. , 215. ])
 from importlib import import_module
 
 _NAMES = {
-    "arms.arm": ("Arm", "Link", "prismatic", "revolute", "to_modified", "to_standard"),
+    "arms.link": ("Link", "prismatic", "revolute"),
+    "arms.arm": ("Arm", "to_modified", "to_standard"),
     "arms.kinematics": ("forward_kinematics", "jacobian", "link_frames"),
     "arms.transforms": ("apply", "compose", "homogeneous", "inverse", "rotation_2d", "rotation_x",
                    "rotation_y", "rotation_z", "translation"),
     "arms.singularity": ("manipulability", "rank", "singular_directions"),
-    "ik.ik": ("InverseBatch", "InverseResult", "inverse_kinematics", "inverse_kinematics_batch"),
+    "ik.solve": ("InverseBatch", "InverseResult", "inverse_kinematics", "inverse_kinematics_batch"),
     "arms.workspace": ("Workspace", "workspace"),
     "drawing.workspace_figures": ("density_picture", "envelope_picture", "slice_picture"),
     "arms.symbolic": ("ClosedForm", "closed_form", "jacobian_form"),

@@ -172,6 +172,17 @@ _exact_wholes = np.frompyfunc(
     lambda entry: int(entry) if isinstance(entry, float) and entry.is_integer() else entry, 1, 1)
 
 
+def cross(u: Sequence, v: Sequence) -> tuple:
+    """The cross product of two vectors, each a sequence of three components."""
+    return tuple(_difference(_product(u[i], v[j]), _product(u[j], v[i]))
+                 for i, j in ((1, 2), (2, 0), (0, 1)))
+
+
+def difference(u: Sequence, v: Sequence) -> tuple:
+    """u - v, component by component."""
+    return tuple(map(_difference, u, v))
+
+
 def _product(a: Any, b: Any) -> Any:
     if type(a) is int and -1 <= a <= 1:
         return b if a == 1 else (a and -b)
@@ -184,3 +195,9 @@ def _sum(a: Any, b: Any) -> Any:
     if type(a) is int and a == 0:
         return b
     return a if type(b) is int and b == 0 else a + b
+
+
+def _difference(a: Any, b: Any) -> Any:
+    if type(b) is int and b == 0:
+        return a
+    return -b if type(a) is int and a == 0 else a - b

@@ -9,7 +9,8 @@ from math import pi, radians
 
 import numpy as np
 
-from .arm import Arm, prismatic, revolute
+from .arm import Arm
+from .link import prismatic, revolute
 
 RIGHT = pi / 2
 

@@ -9,8 +9,10 @@ from typing import Any
 import numpy as np
 
 from . import inputs
-from .arm import PRISMATIC, Arm, _check_arm
-from .kinematics import CHUNK, joint_ranges
+from .arm import Arm, _check_arm
+from .joints import WHOLE_TURN, joint_limits
+from .kinematics import CHUNK
+from .link import PRISMATIC
 from .motions import follow
 from .progress import Progress
 
@@ -134,7 +136,7 @@ def workspace(arm: Arm, samples: int = 100_000, *, seed: int = 0,
     if any(link.kind == PRISMATIC and link.limits is None for link in arm.links):
         raise ValueError("arm: expected limits on every prismatic joint, got one without; "
                          "give prismatic(limits=(lowest, highest))")
-    low, high = (end[:, None] for end in joint_ranges(arm, 0.0))
+    low, high = joint_limits(arm, turn=WHOLE_TURN)[..., None]
     motions, points = tuple(chain(*arm.chain)), np.empty((samples, 3))
     with Progress("workspace") as bar:
         report = progress or bar

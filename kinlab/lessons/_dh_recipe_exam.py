@@ -13,8 +13,9 @@ from ..answers.judges import Blank, Wrong, evaluated, expressions, first_of, is_
 from ..answers.placed_frames import examine_frames
 from ..answers.table_judge import examined
 from ..arms import robots
-from ..arms.arm import Arm, prismatic, revolute
+from ..arms.arm import Arm
 from ..arms.kinematics import forward_kinematics, link_frames
+from ..arms.link import prismatic, revolute
 
 _EXAM = robots.exam_2018()
 _LENGTHS = dict(d_1=0.5, L_off=0.2, a_2=0.4)

@@ -10,7 +10,8 @@ import numpy as np
 
 from ..answers.judges import Judge, function, is_stub
 from ..arms import kinematics
-from ..arms.arm import Arm, revolute
+from ..arms.arm import Arm
+from ..arms.link import revolute
 
 # ---- Exercise 1: the link matrix ------------------------------------------------------
 

@@ -10,7 +10,9 @@ import numpy as np
 
 from ..answers.judges import choices, expressions, function, joint_values
 from ..arms import kinematics, robots
-from ..arms.arm import Arm, revolute
+from ..arms.arm import Arm
+from ..arms.joints import joint_array
+from ..arms.link import revolute
 
 # ---- Exercise 1: the link transform -------------------------------------------------
 
@@ -131,7 +133,7 @@ _JOINT_HINTS = {
 
 
 def _one_pose(answer: Any) -> np.ndarray:
-    q = kinematics.joint_values(_ALPHA_II, answer)
+    q = joint_array(_ALPHA_II, answer)
     if q.ndim != 1:
         raise ValueError(f"q: expected five joint values, got shape {q.shape}")
     return q

@@ -13,6 +13,7 @@ from ..answers.judges import Wrong, choices, expressions, joint_values
 from ..answers.table_judge import table
 from ..arms import kinematics, robots
 from ..arms.arm import Arm
+from ..arms.joints import joint_array
 
 _ARM = robots.intelledex_660t()
 _JOINTS = tuple(f"theta_{i}" for i in range(1, 7))
@@ -103,7 +104,7 @@ _WRIST_HOME, _LEFT = np.array([609.6, 0.0, 373.4]), np.array([cos(pi / 4), sin(p
 
 def _six_values(answer: Any) -> np.ndarray:
     try:
-        q = kinematics.joint_values(_ARM, answer)
+        q = joint_array(_ARM, answer)
     except ValueError as error:
         raise Wrong(f"{error}.") from None
     if q.ndim != 1:

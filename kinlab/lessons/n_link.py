@@ -12,6 +12,7 @@ from ..answers.judges import function, joint_values
 from ..answers.table_judge import table
 from ..arms import euler, kinematics, robots
 from ..arms.arm import Arm
+from ..arms.joints import joint_array
 from . import _n_link_programs
 from ._n_link_programs import GIVEN, through
 from .views.n_link import both_conventions, misread, zyz_view
@@ -94,7 +95,7 @@ def _zyz_entry(index: tuple) -> str:
 
 
 def _one_pose(answer: Any) -> np.ndarray:
-    q = kinematics.joint_values(_SIX, answer)
+    q = joint_array(_SIX, answer)
     if q.ndim != 1:
         raise ValueError(f"q: expected six joint values, got shape {q.shape}")
     return q

@@ -8,11 +8,11 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
 
 from ..arms import inputs
-from ..arms.arm import PRISMATIC, REVOLUTE
+from ..arms.link import PARAMETERS, PRISMATIC, REVOLUTE
 from .as_csv import LONGEST_FILE, frame
 from .cells import angle_text, is_plain, number_text
 from .numbers import parse_number
-from .table import LIMITS, MOST_LENGTHS, MOST_ROWS, PARAMETERS, DHTable, Place, Row, line
+from .table import LIMITS, MOST_LENGTHS, MOST_ROWS, DHTable, Place, Row, line
 
 _MATH = ("cos", "pi", "radians", "sin", "sqrt")
 _LIBRARIES = ("math", "np", "numpy")

@@ -7,7 +7,8 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from ..arms import inputs
-from ..arms.arm import CONVENTIONS, PRISMATIC, REVOLUTE
+from ..arms.arm import CONVENTIONS
+from ..arms.link import PRISMATIC, REVOLUTE
 from .cells import ANGLES
 from .table import COLUMNS, MOST_LENGTHS, MOST_ROWS, DHTable, Row, line, matrix
 

@@ -10,7 +10,8 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from ..arms import inputs
-from ..arms.arm import CONVENTIONS, PRISMATIC, REVOLUTE, Arm, Link, to_modified, to_standard
+from ..arms.arm import CONVENTIONS, Arm, to_modified, to_standard
+from ..arms.link import PARAMETERS, PRISMATIC, REVOLUTE, Link
 from .cells import (
     ANGLES,
     MILLIMETRES,
@@ -23,7 +24,6 @@ from .cells import (
 )
 from .numbers import LONGEST
 
-PARAMETERS = ("theta", "d", "a", "alpha")
 LIMITS = ("low", "high", "home")
 COLUMNS = PARAMETERS + LIMITS
 MOST_ROWS = MOST_LENGTHS = 20

@@ -12,6 +12,7 @@ from hypothesis import strategies as st
 from strategies import arms, arms_and_q
 
 import kinlab as kl
+from kinlab.arms.printed import sign_rows
 from kinlab.tables.as_code import from_code, to_code
 from kinlab.tables.as_csv import from_csv, to_csv
 from kinlab.tables.cells import (
@@ -22,7 +23,7 @@ from kinlab.tables.cells import (
     read_angle,
     read_length,
 )
-from kinlab.tables.other_convention import frame_text, other_reading, sign_pattern
+from kinlab.tables.other_convention import frame_text, other_reading
 from kinlab.tables.table import DHTable, Place, Row
 
 EDITS = int(os.environ.get("KINLAB_EDITS", 4000))
@@ -408,7 +409,7 @@ def test_what_moves_is_told_with_its_amount():
 
 
 def test_signs_are_those_of_the_numbers():
-    assert sign_pattern(kl.robots.alpha_ii())[1:] == [
+    assert sign_rows(kl.robots.alpha_ii().links)[1:] == [
         ["1", "*", "+", "0", "−"], ["2", "*", "0", "+", "0"], ["3", "*", "0", "+", "0"],
         ["4", "*", "0", "0", "−"], ["5", "*", "+", "0", "0"]]
 
