@@ -14,7 +14,7 @@ SOURCES = sorted([*PACKAGE.glob("*.py"), *PACKAGE.glob("*/*.py")])
 SOURCES = [path for path in SOURCES if path.parent.name != "lessons"
            and (path.stem != "__init__" or path.parent == PACKAGE)]
 TREES = {path.stem: ast.parse(path.read_text(encoding="utf-8")) for path in SOURCES}
-HEAVY = ("sympy", "matplotlib", "ipywidgets", "anywidget", "IPython")
+HEAVY = ("sympy", "matplotlib", "ipywidgets", "anywidget", "IPython", "tqdm")
 
 # What each module of the mathematics may import besides the standard library.
 MATHEMATICS = {
@@ -31,8 +31,7 @@ MATHEMATICS = {
     "descent": {"numpy", "task"},
     "attempt": {"numpy", "kinematics", "task", "descent"},
     "solve": {"numpy", "inputs", "arm", "kinematics", "task", "descent", "attempt"},
-    "progress": set(),
-    "workspace": {"numpy", "inputs", "link", "arm", "joints", "motions", "kinematics", "progress"},
+    "workspace": {"numpy", "tqdm", "inputs", "link", "arm", "joints", "motions", "kinematics"},
     "notation": {"sympy"},
     "symbolic": {"sympy", "inputs", "motions", "link", "arm", "kinematics", "notation"},
     "euler": {"numpy", "inputs", "motions", "transforms"},
@@ -50,7 +49,7 @@ MATHEMATICS = {
     "__init__": set(),
 }
 DRAWING = ("velocity", "scene", "arm_scene", "figure", "worker", "workspace_figures")
-VIEWS = ("live", "arm_view", "sketch", "link_view", "notebook_bar", "target_view", "jacobian_view",
+VIEWS = ("live", "arm_view", "sketch", "link_view", "target_view", "jacobian_view",
          "solve_picture", "table_editor", "site")
 WIDGETS = {"ipywidgets", "anywidget", "traitlets", "IPython"}
 
