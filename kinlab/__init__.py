@@ -6,6 +6,7 @@
 array([485.1,   0. , 215. ])
 """
 from importlib import import_module
+from typing import Any
 
 _NAMES = {
     "arms.link": ("Link", "prismatic", "revolute"),
@@ -34,7 +35,7 @@ __all__ = [*_HOME, *_MODULES]
 __version__ = "0.1.0"
 
 
-def __getattr__(name):
+def __getattr__(name: str) -> Any:
     """Load a name where it is first used: sympy, matplotlib and ipywidgets wait until then."""
     if name in _MODULES:
         return import_module(f"{__name__}.{_MODULES[name]}")
@@ -45,5 +46,5 @@ def __getattr__(name):
     return value
 
 
-def __dir__():
+def __dir__() -> list[str]:
     return sorted([*globals(), *__all__])

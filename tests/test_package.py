@@ -43,7 +43,7 @@ MATHEMATICS = {
     "placed_frames": {"numpy", "inputs", "link", "arm", "joints", "kinematics", "verdict"},
     "numbers": {"inputs"},
     "cells": {"inputs", "numbers"},
-    "table": {"numpy", "inputs", "link", "arm", "numbers", "cells"},
+    "table": {"numpy", "inputs", "link", "arm", "cells"},
     "as_csv": {"inputs", "link", "arm", "cells", "table"},
     "as_code": {"inputs", "link", "numbers", "cells", "as_csv", "table"},
     "__init__": set(),

@@ -65,7 +65,7 @@ def positive(name: str, value: Any) -> float:
 
 def whole(name: str, value: Any, least: int) -> int:
     """A whole number, not below the least and not beyond all use."""
-    if not isinstance(value, Integral) or not least <= value <= MOST:
+    if not isinstance(value, Integral) or not least <= int(value) <= MOST:
         raise ValueError(f"{name}: expected a whole number from {least} to {MOST}, "
                          f"got {brief(value)}")
     return int(value)

@@ -11,7 +11,7 @@ import numpy as np
 from .arm import Arm, _check_arm
 from .joints import joint_array
 from .link import REVOLUTE, Link
-from .motions import ROTATE, Frame, Motion, along, cross, difference, matrix, stack
+from .motions import ROTATE, Frame, Motion, Values, along, cross, difference, matrix, stack
 
 # Poses worked on at a time, so that all components of a frame stay in the processor's cache.
 CHUNK = 4096
@@ -118,7 +118,7 @@ def jacobian(arm: Arm, q: Any) -> np.ndarray:
     return J
 
 
-def tool_and_twists(motions: Iterable[Motion], q: Sequence) -> tuple[Frame, list[tuple]]:
+def tool_and_twists(motions: Iterable[Motion], q: Values) -> tuple[Frame, list[tuple]]:
     """The frame at the end of the motions, and the twist (v, w) that each joint gives it.
 
     Components are floats, arrays or sympy expressions, as the joint values are.
@@ -127,7 +127,7 @@ def tool_and_twists(motions: Iterable[Motion], q: Sequence) -> tuple[Frame, list
     return tool, [twist(kind, z, difference(tool.origin, o)) for kind, z, o in joints]
 
 
-def twist(kind: str, axis: Sequence, lever: Sequence) -> tuple:
+def twist(kind: str, axis: Values, lever: Values) -> tuple:
     """A joint's column of the Jacobian: velocity and angular velocity that its unit rate gives.
 
     `axis` is its unit vector, `lever` goes from a point on the axis to the point that moves. Each
@@ -136,7 +136,7 @@ def twist(kind: str, axis: Sequence, lever: Sequence) -> tuple:
     return (*cross(axis, lever), *axis) if kind == ROTATE else (*axis, 0, 0, 0)
 
 
-def tool_and_joints(motions: Iterable[Motion], q: Sequence, frame: Frame | None = None
+def tool_and_joints(motions: Iterable[Motion], q: Values, frame: Frame | None = None
                     ) -> tuple[Frame, list[tuple]]:
     """The frame at the end of the motions, and each joint's kind, axis and a point on it."""
     frame, joints = frame or Frame(), []

@@ -115,8 +115,8 @@ def density_picture(reached: Workspace, bins: int = 120) -> Picture:
     _check(reached)
     unit, (names, see) = reached.arm.unit, _sight(reached)
     if flat := _is_flat(reached):
-        counts, right, up = np.histogram2d(*see(reached.points).T,
-                                           bins=inputs.whole("bins", bins, 1))
+        x, y = see(reached.points).T
+        counts, right, up = np.histogram2d(x, y, bins=inputs.whole("bins", bins, 1))
         counts /= counts.max()
     else:
         counts, right, up = reached.density(bins)

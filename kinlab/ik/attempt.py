@@ -37,11 +37,11 @@ class Iterate:
 class Attempt:
     """Targets (m, 4, 4) looked for from q0 (m, n), and what came of it.
 
-    `trail` is a list where the steps of all starts are kept, or None.
+    `trail` is a list where the steps of all starts are kept, or a `Trail` that forgets them.
     """
 
     def __init__(self, task: Task, targets: np.ndarray, q0: np.ndarray, *, method: str,
-                 restarts: int, seed: int, steps: int, trail: list | None) -> None:
+                 restarts: int, seed: int, steps: int, trail: list) -> None:
         self.task, self.targets, self.q0 = task, targets, q0
         self.method, self.restarts, self.seed, self.steps = method, restarts, seed, steps
         self.trail, self.seen = trail, seen_from(targets)

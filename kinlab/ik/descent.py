@@ -42,9 +42,10 @@ class Lanes:
 
     @classmethod
     def begin(cls, owner: np.ndarray, name: np.ndarray, seen: np.ndarray, q: np.ndarray) -> Lanes:
-        worst = np.full((3, len(owner)), np.inf)
-        return cls(owner, name, seen, q, q, *worst, np.full(len(owner), LEAST),
-                   np.zeros_like(owner), np.zeros(len(owner), bool))
+        m = len(owner)
+        worst = np.full(m, np.inf)
+        return cls(owner, name, seen, q, q, worst, worst, worst, np.full(m, LEAST),
+                   np.zeros_like(owner), np.zeros(m, bool))
 
     def __len__(self) -> int:
         return len(self.owner)

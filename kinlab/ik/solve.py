@@ -15,7 +15,7 @@ from ..arms import inputs
 from ..arms.arm import Arm, _check_arm
 from ..arms.kinematics import forward_kinematics
 from .attempt import RESTARTS, STEPS, Attempt, Iterate
-from .descent import METHODS
+from .descent import METHODS, Trail
 from .task import Task
 
 BATCH = 4096  # targets worked on at a time: bounds the memory
@@ -126,9 +126,10 @@ def inverse_kinematics(arm: Arm, target: Any, q0: Any = None, *, method: str = "
     poses, count = _targets("target", target, ())
     task, options = _task(arm, count, weights, limits, tolerance, method, restarts, seed, steps)
     attempt = Attempt(task, poses, _starts(arm, q0, ()), trail=[], **options)
-    return InverseResult(*(values.tolist() if values.ndim == 0 else values
-                           for values in _rows(attempt, 0)),
-                         forward_kinematics(arm, attempt.q[0]), attempt.history(), attempt)
+    position, rotation = attempt.misses[:, 0].tolist()
+    return InverseResult(attempt.q[0], bool(attempt.success[0]), int(attempt.iterations[0]),
+                         position, rotation, forward_kinematics(arm, attempt.q[0]),
+                         attempt.history(), attempt)
 
 
 def inverse_kinematics_batch(arm: Arm, targets: Any, q0: Any = None, *, method: str = "damped",
@@ -162,15 +163,13 @@ def inverse_kinematics_batch(arm: Arm, targets: Any, q0: Any = None, *, method: 
     task, options = _task(arm, count, weights, limits, tolerance, method, restarts, seed, steps)
     starts = _starts(arm, q0, (len(poses),))
     parts = [slice(k, k + BATCH) for k in range(0, max(len(poses), 1), BATCH)]
-    attempts = tuple(Attempt(task, poses[part], starts[part], trail=None, **options)
+    attempts = tuple(Attempt(task, poses[part], starts[part], trail=Trail(), **options)
                      for part in parts)
-    columns = zip(*(_rows(attempt, slice(None)) for attempt in attempts))
-    return InverseBatch(*map(np.concatenate, columns), attempts)
-
-
-def _rows(attempt: Attempt, k: Any) -> tuple:
-    found = attempt.q, attempt.success, attempt.iterations, *attempt.misses
-    return tuple(values[k] for values in found)
+    position, rotation = np.concatenate([attempt.misses for attempt in attempts], axis=1)
+    return InverseBatch(np.concatenate([attempt.q for attempt in attempts]),
+                        np.concatenate([attempt.success for attempt in attempts]),
+                        np.concatenate([attempt.iterations for attempt in attempts]),
+                        position, rotation, attempts)
 
 
 def _task(arm: Arm, count: int, weights: Any, limits: str, tolerance: Any, method: str,

@@ -9,6 +9,7 @@ import re
 from collections.abc import Mapping
 from decimal import Decimal
 from fractions import Fraction
+from typing import Any
 
 from ..arms import inputs
 from .numbers import LONGEST, read_number
@@ -60,6 +61,14 @@ def read_length(text: str, names: Mapping[str, float] | None = None) -> float:
 def is_plain(text: str) -> bool:
     """Whether the text is one number, such as -177.8."""
     return bool(_PLAIN.fullmatch(text))
+
+
+def line(text: Any) -> str:
+    """Text without line breaks and other characters that a cell cannot show."""
+    if not isinstance(text, str) or len(text) > LONGEST:
+        raise ValueError(f"text: expected text of at most {LONGEST} characters, "
+                         f"got {inputs.brief(text)}")
+    return " ".join("".join(c if c.isprintable() else " " for c in text).split())
 
 
 def number_text(value: float) -> str:

@@ -73,7 +73,7 @@ def _axis_moved(kind: str, a: np.ndarray, b: np.ndarray, unit: str) -> str:
 
 
 def _turn(T: np.ndarray, U: np.ndarray) -> str:
-    chord = np.linalg.norm(T[:3, :3] - U[:3, :3]) / math.sqrt(8)  # sin of half the angle
+    chord = float(np.linalg.norm(T[:3, :3] - U[:3, :3])) / math.sqrt(8)  # sin of half the angle
     angle = math.degrees(2 * math.asin(min(1.0, chord)))
     return f"{angle:.4g}°" if angle > 1e-6 else ""
 
