@@ -340,5 +340,3 @@ def _scaled(T: Matrix | None, factor: float) -> Matrix | None:
     scaled = np.array(T)
     scaled[:3, 3] *= factor
     return matrix(scaled)
-
-
