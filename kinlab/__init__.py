@@ -6,14 +6,16 @@
 array([485.1,   0. , 215. ])
 """
 from importlib import import_module
+from typing import Any
 
 _NAMES = {
-    "arms.arm": ("Arm", "Link", "prismatic", "revolute", "to_modified", "to_standard"),
+    "arms.link": ("Link", "prismatic", "revolute"),
+    "arms.arm": ("Arm", "to_modified", "to_standard"),
     "arms.kinematics": ("forward_kinematics", "jacobian", "link_frames"),
     "arms.transforms": ("apply", "compose", "homogeneous", "inverse", "rotation_2d", "rotation_x",
                    "rotation_y", "rotation_z", "translation"),
     "arms.singularity": ("manipulability", "rank", "singular_directions"),
-    "ik.ik": ("InverseBatch", "InverseResult", "inverse_kinematics", "inverse_kinematics_batch"),
+    "ik.solve": ("InverseBatch", "InverseResult", "inverse_kinematics", "inverse_kinematics_batch"),
     "arms.workspace": ("Workspace", "workspace"),
     "drawing.workspace_figures": ("density_picture", "envelope_picture", "slice_picture"),
     "arms.symbolic": ("ClosedForm", "closed_form", "jacobian_form"),
@@ -33,7 +35,7 @@ __all__ = [*_HOME, *_MODULES]
 __version__ = "0.1.0"
 
 
-def __getattr__(name):
+def __getattr__(name: str) -> Any:
     """Load a name where it is first used: sympy, matplotlib and ipywidgets wait until then."""
     if name in _MODULES:
         return import_module(f"{__name__}.{_MODULES[name]}")
@@ -44,5 +46,5 @@ def __getattr__(name):
     return value
 
 
-def __dir__():
+def __dir__() -> list[str]:
     return sorted([*globals(), *__all__])

@@ -14,42 +14,43 @@ SOURCES = sorted([*PACKAGE.glob("*.py"), *PACKAGE.glob("*/*.py")])
 SOURCES = [path for path in SOURCES if path.parent.name != "lessons"
            and (path.stem != "__init__" or path.parent == PACKAGE)]
 TREES = {path.stem: ast.parse(path.read_text(encoding="utf-8")) for path in SOURCES}
-HEAVY = ("sympy", "matplotlib", "ipywidgets", "anywidget", "IPython")
+HEAVY = ("sympy", "matplotlib", "ipywidgets", "anywidget", "IPython", "tqdm")
 
 # What each module of the mathematics may import besides the standard library.
 MATHEMATICS = {
     "inputs": {"numpy"},
     "motions": {"numpy", "sympy"},  # sympy only where a caller brings a symbol
     "transforms": {"numpy", "inputs", "motions"},
-    "arm": {"numpy", "inputs", "motions"},
-    "kinematics": {"numpy", "inputs", "motions", "arm"},
+    "link": {"inputs"},
+    "printed": {"link"},
+    "arm": {"numpy", "inputs", "motions", "link", "printed"},
+    "joints": {"numpy", "inputs", "link", "arm"},
+    "kinematics": {"numpy", "motions", "link", "arm", "joints"},
     "singularity": {"numpy", "inputs", "arm", "kinematics"},
-    "task": {"numpy", "arm", "motions", "kinematics"},
+    "task": {"numpy", "link", "arm", "joints", "motions", "kinematics"},
     "descent": {"numpy", "task"},
-    "solve": {"numpy", "kinematics", "task", "descent"},
-    "ik": {"numpy", "inputs", "arm", "kinematics", "task", "descent", "solve"},
-    "progress": set(),
-    "workspace": {"numpy", "inputs", "arm", "motions", "kinematics", "progress"},
+    "attempt": {"numpy", "kinematics", "task", "descent"},
+    "solve": {"numpy", "inputs", "arm", "kinematics", "task", "descent", "attempt"},
+    "workspace": {"numpy", "tqdm", "inputs", "link", "arm", "joints", "motions", "kinematics"},
     "notation": {"sympy"},
-    "symbolic": {"sympy", "inputs", "motions", "arm", "kinematics", "notation"},
+    "symbolic": {"sympy", "inputs", "motions", "link", "arm", "kinematics", "notation"},
     "euler": {"numpy", "inputs", "motions", "transforms"},
-    "robots": {"numpy", "arm"},
-    "mechanism": {"numpy", "arm", "kinematics"},
+    "robots": {"numpy", "link", "arm"},
+    "mechanism": {"numpy", "link", "arm", "kinematics"},
     "verdict": set(),
     "zero_pose": {"numpy", "arm", "kinematics", "mechanism", "verdict"},
     "same_mechanism": {"numpy", "arm", "mechanism", "zero_pose", "verdict"},
-    "placed_frames": {"numpy", "inputs", "arm", "kinematics", "verdict"},
+    "placed_frames": {"numpy", "inputs", "link", "arm", "joints", "kinematics", "verdict"},
     "numbers": {"inputs"},
     "cells": {"inputs", "numbers"},
-    "table": {"numpy", "inputs", "arm", "numbers", "cells"},
-    "as_csv": {"inputs", "arm", "cells", "table"},
-    "as_code": {"inputs", "arm", "numbers", "cells", "as_csv", "table"},
+    "table": {"numpy", "inputs", "link", "arm", "cells"},
+    "as_csv": {"inputs", "link", "arm", "cells", "table"},
+    "as_code": {"inputs", "link", "numbers", "cells", "as_csv", "table"},
     "__init__": set(),
 }
 DRAWING = ("velocity", "scene", "arm_scene", "figure", "worker", "workspace_figures")
-VIEWS = ("live", "arm_view", "sketch", "link_view", "notebook_bar", "target_view", "jacobian_view",
-         "solve_picture", "table_editor", "site", "pieces",
-         "__main__")
+VIEWS = ("live", "arm_view", "sketch", "link_view", "target_view", "jacobian_view",
+         "solve_picture", "table_editor", "site", "pieces", "__main__")
 WIDGETS = {"ipywidgets", "anywidget", "traitlets", "IPython"}
 
 

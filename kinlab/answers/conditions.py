@@ -12,7 +12,8 @@ from typing import Any
 import numpy as np
 
 from ..arms.arm import Arm
-from ..arms.kinematics import forward_kinematics, joint_values
+from ..arms.joints import joint_array
+from ..arms.kinematics import forward_kinematics
 from .judges import Judge, Slip, first_of, is_stub
 from .verdict import BLANK, CORRECT, NOT_YET, Verdict
 
@@ -80,7 +81,7 @@ def degrees_slip(conditions: Sequence[Condition] = (), most: float = 2 * pi, *,
 def one_pose(arm: Arm, words: str) -> Reader:
     """A reader of the joint values of one pose; `words` say how many, such as "five"."""
     def read(answer: Any) -> np.ndarray:
-        q = joint_values(arm, answer)
+        q = joint_array(arm, answer)
         if q.ndim != 1:
             raise ValueError(f"q: expected {words} joint values, got shape {q.shape}")
         return q

@@ -3,8 +3,9 @@ from __future__ import annotations
 
 import numpy as np
 
-from ..arms.arm import Arm, revolute
+from ..arms.arm import Arm
 from ..arms.kinematics import forward_kinematics
+from ..arms.link import revolute
 
 
 def link_matrix(theta: float, d: float, a: float, alpha: float,

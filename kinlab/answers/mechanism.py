@@ -30,8 +30,9 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..arms.arm import REVOLUTE, Arm, to_standard
+from ..arms.arm import Arm, to_standard
 from ..arms.kinematics import link_frames
+from ..arms.link import REVOLUTE
 
 # Half of the sixth decimal: an angle typed as 1.570796 counts as pi/2. Lengths: of each itself.
 SIXTH_DECIMAL = 5e-7

@@ -11,8 +11,10 @@ from typing import Any
 import numpy as np
 
 from ..arms import inputs
-from ..arms.arm import REVOLUTE, Arm
-from ..arms.kinematics import axis_frames, forward_kinematics, joint_values, link_frames
+from ..arms.arm import Arm
+from ..arms.joints import joint_array
+from ..arms.kinematics import axis_frames, forward_kinematics, link_frames
+from ..arms.link import REVOLUTE
 from .verdict import CORRECT, NOT_YET, Verdict
 
 # In rad, and of the drawing's size: frames typed with four decimals pass (each entry is off by
@@ -76,7 +78,7 @@ def examine_frames(frames: Sequence, reference: Arm, q: Any = None) -> Placement
     >>> [link.a for link in examine_frames(frames, robots.two_link(), [0, 0]).arm.links]
     [1.0, 1.0]
     """
-    q = joint_values(reference, getattr(reference, "home", None) if q is None else q)
+    q = joint_array(reference, getattr(reference, "home", None) if q is None else q)
     if q.ndim > 1:
         raise ValueError(f"q: expected one pose of {reference.n} joint values, got {q.shape}; "
                          "give the pose that is drawn")

@@ -16,8 +16,9 @@ from typing import Any
 
 import numpy as np
 
-from ..arms.arm import REVOLUTE, Arm, revolute, to_modified, to_standard
+from ..arms.arm import Arm, to_modified, to_standard
 from ..arms.kinematics import forward_kinematics
+from ..arms.link import REVOLUTE, revolute
 from .judges import Judge, first_of, is_stub
 from .same_mechanism import same_mechanism
 from .verdict import BLANK, NOT_YET, Fault, Verdict

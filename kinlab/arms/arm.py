@@ -2,17 +2,18 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, field, replace
+from collections.abc import Iterable
+from dataclasses import dataclass, replace
 from functools import cached_property
 from html import escape
 from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 
-from . import inputs
+from . import inputs, printed
+from .link import Link
 from .motions import ROTATE, TRANSLATE, Frame, Motion, X, Z, follow, matrix, motions_of
-
-REVOLUTE, PRISMATIC = "revolute", "prismatic"
 
 # A DH convention is only an order of the same four motions.
 CONVENTIONS = {
@@ -21,88 +22,9 @@ CONVENTIONS = {
     "modified": ((ROTATE, X, "alpha"), (TRANSLATE, X, "a"), (ROTATE, Z, "theta"),
                  (TRANSLATE, Z, "d")),
 }
-_VARIABLE = {REVOLUTE: "theta", PRISMATIC: "d"}
 
 
-@dataclass(frozen=True)
-class Link:
-    """One row of a DH table. Make it with `revolute` or `prismatic`."""
-
-    kind: str
-    theta: float = 0.0
-    d: float = 0.0
-    a: float = 0.0
-    alpha: float = 0.0
-    limits: tuple[float, float] | None = None
-    name: str | None = None
-
-    def __post_init__(self) -> None:
-        inputs.choice("kind", self.kind, (REVOLUTE, PRISMATIC))
-        for parameter in ("theta", "d", "a", "alpha"):
-            value = inputs.number(parameter, getattr(self, parameter))
-            object.__setattr__(self, parameter, value)
-        if self.limits is not None:
-            object.__setattr__(self, "limits", _limits(self.limits))
-        if self.name is not None:
-            inputs.line("name", self.name)
-
-    @property
-    def variable(self) -> str:
-        """The parameter that the joint moves: 'theta' or 'd'."""
-        return _VARIABLE[self.kind]
-
-
-def revolute(*, theta: float = 0, d: float = 0, a: float = 0, alpha: float = 0,
-             limits: tuple[float, float] | None = None, name: str | None = None) -> Link:
-    """A link driven by a revolute joint: it turns about z by ``q + theta``.
-
-    Parameters
-    ----------
-    theta : float
-        Joint angle at q = 0, the joint's offset (rad).
-    d : float
-        Link offset along z (the arm's unit).
-    a : float
-        Link length along x (the arm's unit).
-    alpha : float
-        Link twist about x (rad).
-    limits : (float, float), optional
-        Smallest and largest q (rad).
-    name : str, optional
-        The joint's name on the arm, such as 'shoulder'.
-
-    Returns
-    -------
-    Link
-
-    Raises
-    ------
-    ValueError
-        If a parameter is not a finite number or the limits are reversed.
-
-    Examples
-    --------
-    >>> revolute(d=215, alpha=-math.pi / 2).kind
-    'revolute'
-    """
-    return Link(REVOLUTE, theta, d, a, alpha, limits, name)
-
-
-def prismatic(*, theta: float = 0, d: float = 0, a: float = 0, alpha: float = 0,
-              limits: tuple[float, float] | None = None, name: str | None = None) -> Link:
-    """A link driven by a prismatic joint: it slides along z by ``q + d``.
-
-    Parameters are those of `revolute`; here `d` is the joint's offset and `limits` are lengths.
-
-    Examples
-    --------
-    >>> prismatic(theta=math.pi / 2, limits=(0, 0.4)).limits
-    (0.0, 0.4)
-    """
-    return Link(PRISMATIC, theta, d, a, alpha, limits, name)
-
-
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, init=False)
 class Arm:
     """A serial arm: one DH row per joint, with an optional base, tool and home.
 
@@ -128,30 +50,31 @@ class Arm:
 
     Examples
     --------
+    >>> from kinlab import revolute
     >>> arm = Arm([revolute(a=1), revolute(a=0.5)], name="Two links")
     >>> arm.n
     2
     """
 
     links: tuple[Link, ...]
-    convention: str = field(default="standard", kw_only=True)
-    name: str = field(default="", kw_only=True)
-    unit: str = field(default="m", kw_only=True)
-    base: np.ndarray | None = field(default=None, kw_only=True)
-    tool: np.ndarray | None = field(default=None, kw_only=True)
-    home: np.ndarray | None = field(default=None, kw_only=True)
+    convention: str
+    name: str
+    unit: str
+    base: np.ndarray
+    tool: np.ndarray
+    home: np.ndarray
 
-    def __post_init__(self) -> None:
-        object.__setattr__(self, "links", _links(self.links))
-        inputs.choice("convention", self.convention, tuple(CONVENTIONS))
-        inputs.line("name", self.name)
-        inputs.line("unit", self.unit)
-        for end in ("base", "tool"):
-            object.__setattr__(self, end, _pose(end, getattr(self, end)))
-        home = np.zeros(self.n) if self.home is None else self.home
-        home = inputs.shaped("home", home, (self.n,), f"{self.n} joint values, one per joint")
-        home.flags.writeable = False
-        object.__setattr__(self, "home", home)
+    def __init__(self, links: Iterable[Link], *, convention: str = "standard", name: str = "",
+                 unit: str = "m", base: ArrayLike | None = None, tool: ArrayLike | None = None,
+                 home: ArrayLike | None = None) -> None:
+        rows = _links(links)
+        values = {"links": rows,
+                  "convention": inputs.choice("convention", convention, tuple(CONVENTIONS)),
+                  "name": inputs.line("name", name), "unit": inputs.line("unit", unit),
+                  "base": _pose("base", base), "tool": _pose("tool", tool),
+                  "home": _home(home, len(rows))}
+        for field, value in values.items():
+            object.__setattr__(self, field, value)
 
     @property
     def n(self) -> int:
@@ -165,29 +88,15 @@ class Arm:
         return (motions_of(self.base), *links, motions_of(self.tool))
 
     def __repr__(self) -> str:
-        rows = self.table()
-        widths = [max(map(len, column)) for column in zip(*rows)]
-        lines = ["  ".join(cell.rjust(w) for cell, w in zip(row, widths)) for row in rows]
-        return "\n".join([f"{self._title()}", *lines])
+        return "\n".join([self._title(), *printed.lines(self.table())])
 
     def _repr_html_(self) -> str:
-        head, *rows = self.table()
-        tag = lambda name, cells: "".join(f"<{name}>{cell}</{name}>" for cell in cells)  # noqa: E731
-        body = "".join(f"<tr>{tag('td', row)}</tr>" for row in rows)
-        return ('<table><caption style="text-align: left; white-space: nowrap">'
-                f"{escape(self._title())}</caption><thead><tr>{tag('th', head)}</tr></thead>"
-                f"<tbody>{body}</tbody></table>")
+        return printed.html(self.table(), '<table><caption style="text-align: left; '
+                            f'white-space: nowrap">{escape(self._title())}</caption>')
 
     def table(self) -> list[list[str]]:
         """The DH table as text: a header and one row per joint, in the convention's order."""
-        shift = {"alpha": "α", "a": "a", "theta": "θ", "d": "d"}
-        order = [parameter for _, _, parameter in CONVENTIONS[self.convention]]
-        if self.convention == "modified":
-            shift |= {"alpha": "α(i-1)", "a": "a(i-1)"}
-            order = ["alpha", "a", "d", "theta"]
-        head = ["i", *(shift[parameter] for parameter in order)]
-        return [head] + [[str(i), *(_cell(link, parameter, i) for parameter in order)]
-                         for i, link in enumerate(self.links, start=1)]
+        return printed.number_rows(self.links, self.convention)
 
     def _title(self) -> str:
         name = f"{self.name}: " if self.name else ""
@@ -201,6 +110,7 @@ def to_modified(arm: Arm) -> Arm:
 
     Examples
     --------
+    >>> from kinlab import revolute
     >>> arm = Arm([revolute(a=2), revolute(a=1)])
     >>> [link.a for link in to_modified(arm).links]
     [0.0, 2.0]
@@ -211,7 +121,7 @@ def to_modified(arm: Arm) -> Arm:
     last = arm.links[-1]
     base, (a, alpha) = _split_x_screw(arm.base)
     pairs = [(a, alpha), *((link.a, link.alpha) for link in arm.links[:-1])]
-    links = [replace(link, a=a, alpha=alpha) for link, (a, alpha) in zip(arm.links, pairs)]
+    links = tuple(replace(link, a=a, alpha=alpha) for link, (a, alpha) in zip(arm.links, pairs))
     tool = _x_screw(last.a, last.alpha) @ arm.tool
     return replace(arm, links=links, convention="modified", base=base, tool=tool)
 
@@ -223,6 +133,7 @@ def to_standard(arm: Arm) -> Arm:
 
     Examples
     --------
+    >>> from kinlab import revolute
     >>> arm = Arm([revolute(), revolute(a=2)], convention="modified")
     >>> [link.a for link in to_standard(arm).links]
     [2.0, 0.0]
@@ -233,7 +144,7 @@ def to_standard(arm: Arm) -> Arm:
     first = arm.links[0]
     tool, (a, alpha) = _split_x_screw(arm.tool)
     pairs = [*((link.a, link.alpha) for link in arm.links[1:]), (a, alpha)]
-    links = [replace(link, a=a, alpha=alpha) for link, (a, alpha) in zip(arm.links, pairs)]
+    links = tuple(replace(link, a=a, alpha=alpha) for link, (a, alpha) in zip(arm.links, pairs))
     base = arm.base @ _x_screw(first.a, first.alpha)
     return replace(arm, links=links, convention="standard", base=base, tool=tool)
 
@@ -256,14 +167,6 @@ def _link_motions(link: Link, joint: int, convention: str) -> tuple[Motion, ...]
                  for kind, axis, parameter in CONVENTIONS[convention])
 
 
-def _limits(limits: Any) -> tuple[float, float]:
-    low, high = inputs.shaped("limits", limits, (2,), "two numbers (lowest, highest)")
-    if not low < high:
-        raise ValueError(f"limits: expected lowest < highest, got ({low:g}, {high:g}); "
-                         "swap them")
-    return float(low), float(high)
-
-
 def _links(links: Any) -> tuple[Link, ...]:
     try:
         rows = tuple(links)
@@ -281,17 +184,14 @@ def _pose(end: str, T: Any) -> np.ndarray:
     return T
 
 
+def _home(q: Any, n: int) -> np.ndarray:
+    home = inputs.shaped("home", np.zeros(n) if q is None else q, (n,),
+                         f"{n} joint values, one per joint")
+    home.flags.writeable = False
+    return home
+
+
 def _check_arm(arm: Any) -> None:
     if not isinstance(arm, Arm):
         raise ValueError(f"arm: expected a kinlab Arm, got {inputs.brief(arm)}; "
                          "build one with Arm([revolute(...), ...])")
-
-
-def _cell(link: Link, parameter: str, i: int) -> str:
-    value = getattr(link, parameter)
-    angle = parameter in ("theta", "alpha")
-    text = f"{math.degrees(value):.6g}°" if angle else f"{value:.6g}"
-    if parameter != link.variable:
-        return text.replace("-0°", "0°") if text in ("-0°",) else text
-    variable = f"{'θ' if angle else 'd'}{i}*"
-    return f"{variable} {'-' if value < 0 else '+'} {text.lstrip('-')}" if value else variable

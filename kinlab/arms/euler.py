@@ -42,7 +42,7 @@ class ZYZAngles:
     @property
     def message(self) -> str:
         """What the angles are, in degrees, in one sentence."""
-        if not self.singular:
+        if self.fixed is None:
             return " or ".join("({:.4f}, {:.4f}, {:.4f})".format(*map(degrees, solution))
                                for solution in self.solutions) + " degrees"
         theta = round(degrees(self.solutions[0][1]))
@@ -52,7 +52,7 @@ class ZYZAngles:
 
     def member(self, phi: float) -> tuple[float, float, float]:
         """The solution of a singular family with this `phi`."""
-        if not self.singular:
+        if self.fixed is None:
             raise ValueError("phi: expected a singular rotation, got one with two solutions; "
                              "take one of .solutions")
         phi, theta = inputs.number("phi", phi), self.solutions[0][1]

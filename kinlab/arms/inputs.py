@@ -19,7 +19,7 @@ def real_array(name: str, value: Any, expected: str) -> np.ndarray:
         array = np.asarray(value)
         if array.dtype.kind in "USMmcV":  # numpy would read the text "1" as a number
             raise TypeError
-        array = np.array(array, dtype=float)
+        array = _floats(array) if array.dtype == object else np.array(array, dtype=float)
     except (TypeError, ValueError, OverflowError):
         raise ValueError(f"{name}: expected {expected}, got {brief(value)}; "
                          "give plain numbers") from None
@@ -31,6 +31,13 @@ def real_array(name: str, value: Any, expected: str) -> np.ndarray:
         raise ValueError(f"{name}: expected numbers up to {LARGEST:g}, got {brief(value)}; "
                          "look for a slip in a unit or an exponent")
     return array
+
+
+def _floats(array: np.ndarray) -> np.ndarray:
+    """Objects as floats, one by one: numpy reads text among them, and warns of sympy's nan."""
+    if any(isinstance(entry, str | bytes) for entry in array.flat):
+        raise TypeError
+    return np.array([float(entry) for entry in array.flat], dtype=float).reshape(array.shape)
 
 
 def shaped(name: str, value: Any, shape: tuple[int, ...], expected: str) -> np.ndarray:
@@ -58,7 +65,7 @@ def positive(name: str, value: Any) -> float:
 
 def whole(name: str, value: Any, least: int) -> int:
     """A whole number, not below the least and not beyond all use."""
-    if not isinstance(value, Integral) or not least <= value <= MOST:
+    if not isinstance(value, Integral) or not least <= int(value) <= MOST:
         raise ValueError(f"{name}: expected a whole number from {least} to {MOST}, "
                          f"got {brief(value)}")
     return int(value)

@@ -8,23 +8,13 @@ from typing import Any
 
 import numpy as np
 
-from . import inputs
-from .arm import REVOLUTE, Arm, Link, _check_arm
-from .motions import ROTATE, Frame, Motion, _product, along, matrix, stack
+from .arm import Arm, _check_arm
+from .joints import joint_array
+from .link import REVOLUTE, Link
+from .motions import ROTATE, Frame, Motion, Values, along, cross, difference, matrix, stack
 
 # Poses worked on at a time, so that all components of a frame stay in the processor's cache.
 CHUNK = 4096
-
-
-def joint_values(arm: Arm, q: Any, name: str = "q") -> np.ndarray:
-    """Joint values as an array (..., n), or a ValueError that says what was wrong."""
-    _check_arm(arm)
-    who = f"arm '{arm.name}'" if arm.name else "this arm"
-    q = inputs.real_array(name, q, f"{arm.n} joint values in radians or {arm.unit}")
-    if q.shape[-1:] != (arm.n,):
-        raise ValueError(f"{name}: expected shape (..., {arm.n}) for {who}, got {q.shape}; "
-                         "give one value per joint")
-    return q
 
 
 def forward_kinematics(arm: Arm, q: Any) -> np.ndarray:
@@ -52,7 +42,7 @@ def forward_kinematics(arm: Arm, q: Any) -> np.ndarray:
     >>> forward_kinematics(robots.alpha_ii(), [0, 0, 0, -np.pi / 2, 0])[:3, 3]
     array([485.1,   0. , 215. ])
     """
-    q = joint_values(arm, q)
+    q = joint_array(arm, q)
     return _matrices([tuple(chain(*arm.chain))], q)[..., 0, :, :]
 
 
@@ -80,7 +70,7 @@ def link_frames(arm: Arm, q: Any) -> np.ndarray:
     >>> link_frames(robots.two_link(), [0, 0])[:, 0, 3]
     array([0., 0., 1.])
     """
-    q = joint_values(arm, q)
+    q = joint_array(arm, q)
     return _matrices(arm.chain[:-1], q)
 
 
@@ -113,7 +103,7 @@ def jacobian(arm: Arm, q: Any) -> np.ndarray:
     array([[0., 0.],
            [2., 1.]])
     """
-    q = joint_values(arm, q)
+    q = joint_array(arm, q)
     motions = tuple(chain(*arm.chain))
     if q.ndim == 1:
         return stack([*zip(*tool_and_twists(motions, q.tolist())[1])])
@@ -128,17 +118,25 @@ def jacobian(arm: Arm, q: Any) -> np.ndarray:
     return J
 
 
-def tool_and_twists(motions: Iterable[Motion], q: Sequence) -> tuple[Frame, list[tuple]]:
+def tool_and_twists(motions: Iterable[Motion], q: Values) -> tuple[Frame, list[tuple]]:
     """The frame at the end of the motions, and the twist (v, w) that each joint gives it.
 
     Components are floats, arrays or sympy expressions, as the joint values are.
     """
     tool, joints = tool_and_joints(motions, q)
-    return tool, [(*_cross(z, tuple(map(_minus, tool.origin, o))), *z) if kind == ROTATE
-                  else (*z, 0, 0, 0) for kind, z, o in joints]
+    return tool, [twist(kind, z, difference(tool.origin, o)) for kind, z, o in joints]
 
 
-def tool_and_joints(motions: Iterable[Motion], q: Sequence, frame: Frame | None = None
+def twist(kind: str, axis: Values, lever: Values) -> tuple:
+    """A joint's column of the Jacobian: velocity and angular velocity that its unit rate gives.
+
+    `axis` is its unit vector, `lever` goes from a point on the axis to the point that moves. Each
+    is a sequence of three components, as in `motions`.
+    """
+    return (*cross(axis, lever), *axis) if kind == ROTATE else (*axis, 0, 0, 0)
+
+
+def tool_and_joints(motions: Iterable[Motion], q: Values, frame: Frame | None = None
                     ) -> tuple[Frame, list[tuple]]:
     """The frame at the end of the motions, and each joint's kind, axis and a point on it."""
     frame, joints = frame or Frame(), []
@@ -164,20 +162,6 @@ def typical_length(arm: Arm) -> float:
     """The length beside which a turn by one radian counts: the reach, if that is a length."""
     length = reach(arm)
     return length if 0 < length < math.inf else 1.0
-
-
-def joint_limits(arm: Arm) -> tuple[np.ndarray, np.ndarray]:
-    """Lowest and highest joint values, shape (n,); infinite where a joint has no limits."""
-    pairs = [link.limits or (-math.inf, math.inf) for link in arm.links]
-    low, high = np.array(pairs).T
-    return low, high
-
-
-def joint_ranges(arm: Arm, slide: float) -> tuple[np.ndarray, np.ndarray]:
-    """Limits, with half a turn, or `slide`, to either side in place of those that are missing."""
-    rooms = (math.pi if link.kind == REVOLUTE else slide for link in arm.links)
-    low, high = np.array([link.limits or (-room, room) for link, room in zip(arm.links, rooms)]).T
-    return low, high
 
 
 def axis_frames(arm: Arm) -> list[int]:
@@ -212,14 +196,3 @@ def _longest(link: Link) -> float:
     if link.kind == REVOLUTE:
         return abs(link.d)
     return max(abs(link.d + end) for end in link.limits) if link.limits else math.inf
-
-
-def _minus(a: Any, b: Any) -> Any:
-    if type(b) is int and b == 0:
-        return a
-    return -b if type(a) is int and a == 0 else a - b
-
-
-def _cross(u: Sequence, v: Sequence) -> tuple:
-    return tuple(_minus(_product(u[i], v[j]), _product(u[j], v[i]))
-                 for i, j in ((1, 2), (2, 0), (0, 1)))

@@ -17,6 +17,9 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+# The values of the joints, or the components of a vector: numbers, batches or expressions.
+Values = Sequence[Any] | np.ndarray
+
 X, Y, Z = 0, 1, 2
 ROTATE, TRANSLATE = "rotate", "translate"
 
@@ -45,7 +48,7 @@ class Motion:
     amount: Any = 0
     joint: int | None = None
 
-    def value(self, q: Sequence) -> Any:
+    def value(self, q: Values) -> Any:
         """Angle or length of the motion at joint values `q`."""
         return self.amount if self.joint is None else q[self.joint] + self.amount
 
@@ -92,7 +95,7 @@ class Frame(NamedTuple):
         origin = tuple(_sum(o, _product(distance, e)) for o, e in zip(self.origin, direction))
         return Frame(self.axes, origin, self.about, self.angle, turned)
 
-    def moved(self, motion: Motion, q: Sequence) -> Frame:
+    def moved(self, motion: Motion, q: Values) -> Frame:
         """The frame after one elementary motion at joint values `q`."""
         if motion.idle:
             return self
@@ -100,7 +103,7 @@ class Frame(NamedTuple):
         return step(motion.axis, motion.value(q))
 
 
-def follow(motions: Iterable[Motion], q: Sequence, frame: Frame | None = None) -> Frame:
+def follow(motions: Iterable[Motion], q: Values, frame: Frame | None = None) -> Frame:
     """The frame at the end of a sequence of motions."""
     frame = Frame() if frame is None else frame
     for motion in motions:
@@ -108,7 +111,7 @@ def follow(motions: Iterable[Motion], q: Sequence, frame: Frame | None = None) -
     return frame
 
 
-def along(chain: Iterable[Iterable[Motion]], q: Sequence) -> Iterator[Frame]:
+def along(chain: Iterable[Iterable[Motion]], q: Values) -> Iterator[Frame]:
     """The frame after each stretch of a chain (after base, link 1, link 2, ...)."""
     frame = Frame()
     for motions in chain:
@@ -172,6 +175,17 @@ _exact_wholes = np.frompyfunc(
     lambda entry: int(entry) if isinstance(entry, float) and entry.is_integer() else entry, 1, 1)
 
 
+def cross(u: Values, v: Values) -> tuple:
+    """The cross product of two vectors, each a sequence of three components."""
+    return tuple(_difference(_product(u[i], v[j]), _product(u[j], v[i]))
+                 for i, j in ((1, 2), (2, 0), (0, 1)))
+
+
+def difference(u: Values, v: Values) -> tuple:
+    """u - v, component by component."""
+    return tuple(map(_difference, u, v))
+
+
 def _product(a: Any, b: Any) -> Any:
     if type(a) is int and -1 <= a <= 1:
         return b if a == 1 else (a and -b)
@@ -184,3 +198,9 @@ def _sum(a: Any, b: Any) -> Any:
     if type(a) is int and a == 0:
         return b
     return a if type(b) is int and b == 0 else a + b
+
+
+def _difference(a: Any, b: Any) -> Any:
+    if type(b) is int and b == 0:
+        return a
+    return -b if type(a) is int and a == 0 else a - b

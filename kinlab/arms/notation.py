@@ -135,8 +135,8 @@ class _ByText:
     def __init__(self, expression: sp.Expr) -> None:
         self.expression = expression
 
-    def __eq__(self, other: _ByText) -> bool:
-        return self.expression == other.expression
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, _ByText) and self.expression == other.expression
 
     def __lt__(self, other: _ByText) -> bool:
         return str(self.expression) < str(other.expression)

@@ -9,7 +9,8 @@ from math import pi, radians
 
 import numpy as np
 
-from .arm import Arm, prismatic, revolute
+from .arm import Arm
+from .link import prismatic, revolute
 
 RIGHT = pi / 2
 
@@ -94,11 +95,11 @@ def alpha_ii() -> Arm:
     >>> alpha_ii().links[4].d
     129.5
     """
-    limits = [radians(150), radians(120), radians(135), radians(135), radians(180)]
-    rows = [dict(d=215, alpha=-RIGHT, name="base"), dict(a=177.8, name="shoulder"),
-            dict(a=177.8, name="elbow"), dict(alpha=-RIGHT, name="tool pitch"),
-            dict(d=129.5, name="tool roll")]
-    links = [revolute(**row, limits=(-limit, limit)) for row, limit in zip(rows, limits)]
+    links = [revolute(d=215, alpha=-RIGHT, limits=_either_way(150), name="base"),
+             revolute(a=177.8, limits=_either_way(120), name="shoulder"),
+             revolute(a=177.8, limits=_either_way(135), name="elbow"),
+             revolute(alpha=-RIGHT, limits=_either_way(135), name="tool pitch"),
+             revolute(d=129.5, limits=_either_way(180), name="tool roll")]
     return Arm(links, name="Alpha II", unit="mm", home=np.radians([0, 0, 0, -90, 0]))
 
 
@@ -115,11 +116,15 @@ def intelledex_660t() -> Arm:
     >>> intelledex_660t().links[0].d
     373.4
     """
-    rows = [dict(d=373.4, alpha=RIGHT, name="base"), dict(alpha=RIGHT, name="shoulder roll"),
-            dict(a=304.8, name="shoulder pitch"), dict(a=304.8, name="elbow pitch"),
-            dict(alpha=RIGHT, name="tool pitch"), dict(d=228.6, name="tool roll")]
-    return Arm([revolute(**row) for row in rows], name="Intelledex 660T", unit="mm",
-               home=np.radians([90, -90, 90, 0, 90, 0]))
+    links = [revolute(d=373.4, alpha=RIGHT, name="base"),
+             revolute(alpha=RIGHT, name="shoulder roll"),
+             revolute(a=304.8, name="shoulder pitch"), revolute(a=304.8, name="elbow pitch"),
+             revolute(alpha=RIGHT, name="tool pitch"), revolute(d=228.6, name="tool roll")]
+    return Arm(links, name="Intelledex 660T", unit="mm", home=np.radians([90, -90, 90, 0, 90, 0]))
+
+
+def _either_way(degrees: float) -> tuple[float, float]:
+    return -radians(degrees), radians(degrees)
 
 
 def _slide(x: float = 0, z: float = 0) -> np.ndarray:

@@ -14,8 +14,9 @@ from typing import Any
 import sympy as sp
 
 from . import inputs, notation
-from .arm import REVOLUTE, Arm, _check_arm
+from .arm import Arm, _check_arm
 from .kinematics import tool_and_twists
+from .link import REVOLUTE
 from .motions import ROTATE, Motion, X, Y, Z, follow, keep_whole, matrix
 
 

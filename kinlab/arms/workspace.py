@@ -1,7 +1,11 @@
 """The workspace by sampling: joint ranges are swept evenly, and where the tool gets is kept."""
 from __future__ import annotations
 
+import builtins
+import sys
+import time
 from collections.abc import Callable
+from contextlib import ExitStack
 from dataclasses import dataclass
 from itertools import chain
 from typing import Any
@@ -9,10 +13,13 @@ from typing import Any
 import numpy as np
 
 from . import inputs
-from .arm import PRISMATIC, Arm, _check_arm
-from .kinematics import CHUNK, joint_ranges
+from .arm import Arm, _check_arm
+from .joints import WHOLE_TURN, joint_limits
+from .kinematics import CHUNK
+from .link import PRISMATIC
 from .motions import follow
-from .progress import Progress
+
+PATIENCE = 1.0  # seconds before a bar appears
 
 
 @dataclass(frozen=True, eq=False)
@@ -134,9 +141,9 @@ def workspace(arm: Arm, samples: int = 100_000, *, seed: int = 0,
     if any(link.kind == PRISMATIC and link.limits is None for link in arm.links):
         raise ValueError("arm: expected limits on every prismatic joint, got one without; "
                          "give prismatic(limits=(lowest, highest))")
-    low, high = (end[:, None] for end in joint_ranges(arm, 0.0))
+    low, high = joint_limits(arm, turn=WHOLE_TURN)[..., None]
     motions, points = tuple(chain(*arm.chain)), np.empty((samples, 3))
-    with Progress("workspace") as bar:
+    with ProgressBar("workspace") as bar:
         report = progress or bar
         for start in range(0, samples, CHUNK):
             part = points[start:start + CHUNK]
@@ -158,3 +165,41 @@ def r_sequence(dimensions: int, start: int, count: int, seed: int) -> np.ndarray
     steps = g ** -np.arange(1.0, dimensions + 1)[:, None]
     offset = np.random.default_rng(seed).random((dimensions, 1))
     return (offset + steps * np.arange(start, start + count)) % 1.0
+
+
+class ProgressBar(ExitStack):
+    """tqdm's bar, made once the work has taken a while; as a context it leaves nothing behind.
+
+    With tqdm's own `delay`, short work in a notebook would make the bar's widgets too, and what
+    `leave=False` leaves there is still saved. So a cell's output is the same whether its work was
+    long or short.
+    """
+
+    def __init__(self, title: str) -> None:
+        super().__init__()
+        self.title, self.begun = title, time.perf_counter()
+        self.bar: Any = None
+
+    def __call__(self, done: int, total: int) -> None:
+        if self.bar is None and done < total and time.perf_counter() - self.begun > PATIENCE:
+            self.bar = self._shown(done, total)
+        if self.bar is not None:
+            self.bar.update(done - self.bar.n)
+
+    def _shown(self, done: int, total: int) -> Any:
+        from tqdm.auto import tqdm  # late: short work and `import kinlab` do without
+
+        class Bar(tqdm):
+            monitor_interval = 0  # no thread beside it: a browser's Python has none
+
+        # With a delay, tqdm waits for the first refresh: a notebook's bar can be shown here, in a
+        # place that is emptied.
+        bar = self.enter_context(Bar(desc=self.title, initial=done, total=total, leave=False,
+                                     delay=1e-9, disable=None if sys.stderr else True))
+        if hasattr(bar, "container"):
+            bar.displayed, place = True, vars(builtins)["display"](bar.container, display_id=True)
+            self.callback(place.update, {}, raw=True)
+            for part in (*bar.container.children, bar.container):
+                self.callback(part.close)
+        bar.refresh()
+        return bar

@@ -7,28 +7,16 @@ from itertools import pairwise
 
 import numpy as np
 
-from ..arms.arm import PRISMATIC, REVOLUTE, Arm
+from ..arms.arm import Arm
+from ..arms.joints import joint_range, joint_ranges
 from ..arms.kinematics import forward_kinematics, link_frames
+from ..arms.link import PRISMATIC, REVOLUTE
 from ..arms.motions import TRANSLATE, Frame, Motion, along, follow, matrix
 from .scene import ARROW, FACE, LINE, SOLID, TEXT, TRACE, Item, Scene, Step, at, subscript
 
 LAYERS = ("frames", "labels", "axes", "trace", "ghost")
 _AXES = np.eye(3)
 _SIDES = 20
-
-
-def joint_range(arm: Arm, i: int) -> tuple[float, float]:
-    """Limits of joint i, or a range that shows what it does where the arm states none."""
-    link = arm.links[i]
-    if link.limits:
-        return link.limits
-    lengths = sum(abs(other.a) + abs(other.d) for other in arm.links)
-    return (-math.pi, math.pi) if link.kind == REVOLUTE else (0.0, float(lengths) or 1.0)
-
-
-def _ranges(arm: Arm) -> np.ndarray:
-    """Lowest and highest value of every joint, shape (2, n)."""
-    return np.array([joint_range(arm, i) for i in range(arm.n)]).T
 
 
 def is_planar(arm: Arm) -> bool:
@@ -65,7 +53,7 @@ class _Layout:
         self.thick = 0.036 * self.radius
         self.bodies = 0
         self.home = [matrix(f) for f in along(((), *((m,) for m in self.motions)),
-                                              np.clip(arm.home, *_ranges(arm)).tolist())]
+                                              np.clip(arm.home, *joint_ranges(arm)).tolist())]
 
     def _walk(self, stretch: Iterable[Motion]) -> int:
         """Add the motions of a link, and say at which frame they end."""
@@ -84,7 +72,7 @@ class _Layout:
 
 def _poses_tried(arm: Arm) -> np.ndarray:
     """Poses all over the joint ranges; in half of them every slide is right in or right out."""
-    low, high = _ranges(arm)
+    low, high = joint_ranges(arm)
     slides = [i for i, link in enumerate(arm.links) if link.kind == PRISMATIC]
     spread = np.random.default_rng(0).random((2000, arm.n))
     spread[::2, slides] = spread[::2, slides].round()

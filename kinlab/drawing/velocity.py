@@ -7,7 +7,8 @@ from typing import Any
 
 import numpy as np
 
-from ..arms.motions import ROTATE, Frame, matrix
+from ..arms.kinematics import twist
+from ..arms.motions import Frame, matrix
 
 _FLAT = 1e-12  # of the ellipsoid's size: what is thinner is flat
 
@@ -46,9 +47,8 @@ def velocities(motions: Sequence[Any], frames: Sequence[Frame], of: int, n: int)
     while of > 0:
         motion, pose = motions[of - 1], matrix(frames[of])
         if motion.joint is not None:
-            axis = pose[:3, motion.axis]
-            turning = np.cross(axis, tip - pose[:3, 3]) if motion.kind == ROTATE else axis
-            columns[:, motion.joint] += motion.gain * turning
+            velocity = twist(motion.kind, pose[:3, motion.axis], tip - pose[:3, 3])[:3]
+            columns[:, motion.joint] += motion.gain * np.array(velocity)
         of = of - 1 if motion.parent is None else motion.parent
     return columns
 

@@ -44,8 +44,7 @@ class Picture(Figure):
                 {"image/png": {"alt": f"Picture of a workspace. {self.words}"}})
 
 
-def slice_picture(reached: Workspace, axis: str = "y", at: float = 0.0,
-                  thickness: float | None = None) -> Picture:
+def slice_picture(reached: Workspace, axis: str = "y", at: float = 0.0) -> Picture:
     """A slab across x, y or z of the room: its points, and the cells that hold any.
 
     The arm at home is drawn over it, as seen along the axis.
@@ -53,7 +52,7 @@ def slice_picture(reached: Workspace, axis: str = "y", at: float = 0.0,
     Parameters
     ----------
     reached : Workspace
-    axis, at, thickness
+    axis, at
         As in `Workspace.slice`.
 
     Returns
@@ -61,7 +60,7 @@ def slice_picture(reached: Workspace, axis: str = "y", at: float = 0.0,
     matplotlib.figure.Figure
     """
     _check(reached)
-    points, unit = reached.slice(axis, at, thickness), reached.arm.unit
+    points, unit = reached.slice(axis, at), reached.arm.unit
     across, up = sides = [k for k in range(3) if "xyz"[k] != axis]
     title = f"{_name(reached)}: slice {axis} = {at:g} {unit}"
     names, flat = ("xyz"[across], "xyz"[up]), points[:, sides]
@@ -116,8 +115,8 @@ def density_picture(reached: Workspace, bins: int = 120) -> Picture:
     _check(reached)
     unit, (names, see) = reached.arm.unit, _sight(reached)
     if flat := _is_flat(reached):
-        counts, right, up = np.histogram2d(*see(reached.points).T,
-                                           bins=inputs.whole("bins", bins, 1))
+        x, y = see(reached.points).T
+        counts, right, up = np.histogram2d(x, y, bins=inputs.whole("bins", bins, 1))
         counts /= counts.max()
     else:
         counts, right, up = reached.density(bins)

@@ -24,14 +24,13 @@ TINY = np.finfo(float).tiny
 Rule = Callable[[np.ndarray, np.ndarray, np.ndarray], np.ndarray]
 
 
-
 @dataclass
 class Lanes:
     """Starts under way. Every array's last axis runs over them."""
 
     owner: np.ndarray       # which target
     name: np.ndarray        # which start
-    view: np.ndarray        # (4, 3, m): the room seen from the target
+    seen: np.ndarray        # (4, 3, m): the room seen from the target
     q: np.ndarray           # (n, m)
     best_q: np.ndarray
     best_error: np.ndarray
@@ -42,10 +41,11 @@ class Lanes:
     still: np.ndarray       # whether the last step moved nothing
 
     @classmethod
-    def begin(cls, owner: np.ndarray, name: np.ndarray, view: np.ndarray, q: np.ndarray) -> Lanes:
-        worst = np.full((3, len(owner)), np.inf)
-        return cls(owner, name, view, q, q, *worst, np.full(len(owner), LEAST),
-                   np.zeros_like(owner), np.zeros(len(owner), bool))
+    def begin(cls, owner: np.ndarray, name: np.ndarray, seen: np.ndarray, q: np.ndarray) -> Lanes:
+        m = len(owner)
+        worst = np.full(m, np.inf)
+        return cls(owner, name, seen, q, q, worst, worst, worst, np.full(m, LEAST),
+                   np.zeros_like(owner), np.zeros(m, bool))
 
     def __len__(self) -> int:
         return len(self.owner)
@@ -89,7 +89,7 @@ class Search:
     """The best of each target so far, and what may still be tried."""
 
     task: Task
-    views: np.ndarray       # (4, 3, m): the room seen from each target
+    seen: np.ndarray        # (4, 3, m): the room seen from each target
     q: np.ndarray           # (n, m)
     restarts: int
     seed: int
@@ -144,16 +144,16 @@ class Search:
         self.name[owner] = ended.name[order]
 
     def _begin(self, owner: np.ndarray, name: np.ndarray, q: np.ndarray) -> Lanes:
-        return Lanes.begin(owner, name, self.views[..., owner], q)
+        return Lanes.begin(owner, name, self.seen[..., owner], q)
 
 
-def search(task: Task, rule: Rule, views: np.ndarray, q0: np.ndarray, *, restarts: int,
+def search(task: Task, rule: Rule, seen: np.ndarray, q0: np.ndarray, *, restarts: int,
            steps: int, seed: int, trail: list | None = None) -> Search:
     """Descend from q0, then from random starts, until each target is reached or none is left.
 
-    `views` has shape (4, 3, m) and `q0` (n, m). What every lane does is added to `trail`.
+    `seen` has shape (4, 3, m) and `q0` (n, m). What every lane does is added to `trail`.
     """
-    found = Search(task, views, q0.copy(), restarts, seed)
+    found = Search(task, seen, q0.copy(), restarts, seed)
     trail = Trail() if trail is None else trail
     if restarts:
         descend(found, found.first(), rule, steps, trail)
@@ -170,7 +170,7 @@ def descend(found: Search, lanes: Lanes, rule: Rule, steps: int, trail: list, *,
     to the nearest pose, however slowly it comes.
     """
     while len(lanes):
-        J, e = found.task.errors(lanes.view, lanes.q)
+        J, e = found.task.errors(lanes.seen, lanes.q)
         lanes.judge(0.5 * np.sum(e * e, axis=0))
         trail.append((lanes.name, lanes.q, lanes.error))
         reached = found.task.reached(e)

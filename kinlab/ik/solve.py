@@ -1,143 +1,223 @@
-"""One solve from start to verdict: search, check by forward kinematics, find the reason."""
+"""Numerical inverse kinematics: joint values that bring the tool where it is wanted.
+
+A result is called a success only after `forward_kinematics` at the joint values found was held
+against the target.
+"""
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
-from math import degrees
+from dataclasses import dataclass, field
+from functools import cached_property
+from typing import Any
 
 import numpy as np
 
-from ..arms.kinematics import forward_kinematics, typical_length
-from .descent import METHODS, search, singular_values
-from .task import Task, rotation_vectors, seen_from
+from ..arms import inputs
+from ..arms.arm import Arm, _check_arm
+from ..arms.kinematics import forward_kinematics
+from .attempt import RESTARTS, STEPS, Attempt, Iterate
+from .descent import METHODS, Trail
+from .task import Task
 
-RESTARTS, STEPS = 30, 100  # of the damped method, unless asked otherwise
-RANK_TOLERANCE = 1e-6  # times the largest singular value, as in `rank`
+BATCH = 4096  # targets worked on at a time: bounds the memory
 
 
 @dataclass(frozen=True, eq=False)
-class Step:
-    """One step of a solve.
+class InverseResult:
+    """What was found for one target.
 
     Attributes
     ----------
     q : array, shape (n,)
-        Joint values.
-    error : float
-        Length of position error (as a part of the arm's reach) and rotation error (rad)
-        together, weighted: what the methods bring down.
-    condition : float
-        Largest over smallest singular value of the Jacobian; infinite where it loses rank.
+        Joint values; those of the nearest pose found if the target was not reached.
+    success : bool
+        Whether the tool is at the target, within the tolerance and the limits.
+    iterations : int
+        Steps taken, those of all starts together.
+    position_error, rotation_error : float
+        How far the tool is from the target (arm's unit, rad), in the directions that count.
+    pose : array, shape (4, 4)
+        The tool's pose at `q`.
+    history : tuple of Iterate
+        Every step of the start that led to `q`.
+    message : str
+        Reached, or why not. The reason is looked for when the message is first read.
     """
 
     q: np.ndarray
-    error: float
-    condition: float
+    success: bool
+    iterations: int
+    position_error: float
+    rotation_error: float
+    pose: np.ndarray = field(repr=False)
+    history: tuple[Iterate, ...] = field(repr=False)
+    _attempt: Attempt = field(repr=False)
+
+    @cached_property
+    def message(self) -> str:
+        return self._attempt.messages()[0]
 
 
-class Solve:
-    """Targets (m, 4, 4) looked for from q0 (m, n), and what came of it.
+@dataclass(frozen=True, eq=False)
+class InverseBatch:
+    """What was found for m targets: `InverseResult`'s attributes, one row or entry for each."""
 
-    `trail` is a list where the steps of all starts are kept, or None.
+    q: np.ndarray
+    success: np.ndarray
+    iterations: np.ndarray
+    position_error: np.ndarray
+    rotation_error: np.ndarray
+    _attempts: tuple[Attempt, ...] = field(repr=False)
+
+    @cached_property
+    def message(self) -> tuple[str, ...]:
+        return tuple(message for attempt in self._attempts for message in attempt.messages())
+
+
+def inverse_kinematics(arm: Arm, target: Any, q0: Any = None, *, method: str = "damped",
+                       weights: Any = None, limits: str = "keep", restarts: int | None = None,
+                       seed: int = 0, tolerance: float = 1e-6, steps: int = STEPS
+                       ) -> InverseResult:
+    """Joint values that bring the tool to a pose, or to a point, found step by step.
+
+    Parameters
+    ----------
+    arm : Arm
+    target : array, shape (4, 4) or (3,)
+        Pose of the tool in the room, or the tool point alone.
+    q0 : array, shape (n,), optional
+        Where to begin; the arm's home if left out.
+    method : {"damped", "newton", "pseudoinverse", "transpose"}
+        "damped" is Levenberg-Marquardt with damping that follows the error. "newton" inverts
+        the Jacobian, and needs as many joints as directions that count.
+    weights : six numbers, or three for a point, optional
+        How much an error along x, y, z and about x, y, z of the target counts. 0 leaves that
+        direction free, as an arm of fewer than six joints needs.
+    limits : {"keep", "ignore"}
+        Whether joint limits hold.
+    restarts : int, optional
+        How many random starts may follow `q0`: 30 for "damped", none for the others.
+    seed : int
+        Of the random starts: the same seed gives the same result.
+    tolerance : float
+        Largest position error, as a part of the arm's reach, and largest rotation error (rad).
+    steps : int
+        At most so many from each start; 100 if left out.
+
+    Returns
+    -------
+    InverseResult
+
+    Raises
+    ------
+    ValueError
+        If an argument does not fit the arm or is not finite.
+
+    Examples
+    --------
+    >>> from kinlab import robots
+    >>> arm = robots.intelledex_660t()
+    >>> target = forward_kinematics(arm, [0.1, 0.2, 0.3, 0.4, 0.5, 0.6])
+    >>> inverse_kinematics(arm, target).success
+    True
+    >>> inverse_kinematics(robots.two_link(), [3, 0, 0]).message
+    'out of reach: the target is 3 m from the base, all links end to end are 2 m'
     """
-
-    def __init__(self, task: Task, targets: np.ndarray, q0: np.ndarray, *, method: str,
-                 restarts: int, seed: int, steps: int, trail: list | None) -> None:
-        self.task, self.targets, self.q0 = task, targets, q0
-        self.method, self.restarts, self.seed, self.steps = method, restarts, seed, steps
-        self.trail, self.views = trail, seen_from(targets)
-        found = search(task, METHODS[method], self.views, q0.T, restarts=restarts, steps=steps,
-                       seed=seed, trail=trail)
-        self.q, self.iterations, self.name = task.settled(found.q, q0.T).T, found.steps, found.name
-        self.misses = self._misses()
-        position, rotation = self.misses
-        self.success = ((position <= task.tolerance * typical_length(task.arm))
-                        & (rotation <= task.tolerance))
-
-    def history(self) -> tuple[Step, ...]:
-        """The steps of the start that led to the first target's result."""
-        mine = [(q[:, names == self.name[0]], error[names == self.name[0]])
-                for names, q, error in self.trail]
-        q = np.concatenate([q for q, _ in mine], axis=1)
-        errors = np.concatenate([error for _, error in mine])
-        sizes = self._sizes(q, np.zeros(q.shape[1], int))
-        return tuple(Step(row, float(error), float(condition)) for row, error, condition
-                     in zip(q.T, np.sqrt(2 * errors), _condition(sizes)))
-
-    def messages(self) -> list[str]:
-        """For each target: reached, or why not."""
-        reasons = np.full(len(self.targets), "", object)
-        self._explain(reasons, np.flatnonzero(~self.success))
-        return [f"reached in {steps} steps" if ok else reason
-                for ok, steps, reason in zip(self.success, self.iterations, reasons)]
-
-    def _misses(self) -> np.ndarray:
-        """Position error (arm's unit) and rotation error (rad), shape (2, m)."""
-        poses = forward_kinematics(self.task.arm, self.q)
-        R, R_target = poses[:, :3, :3], self.targets[:, :3, :3]
-        offset = np.einsum("mji,mj->im", R_target, poses[:, :3, 3] - self.targets[:, :3, 3])
-        turn = rotation_vectors(np.einsum("mki,mkj->jim", R_target, R))
-        counts = self.task.weights[:, None] > 0
-        return np.linalg.norm([offset * counts[:3], turn * counts[3:]], axis=1)
-
-    def _explain(self, reasons: np.ndarray, open_: np.ndarray) -> None:
-        """Write the reasons of targets not reached: what holds them back is tried in turn."""
-        arm, distance = self.task.arm, np.linalg.norm(
-            self.targets[:, :3, 3] - self.task.arm.base[:3, 3], axis=1)
-        far = distance > self.task.reach * (1 + self.task.tolerance)
-        for k in open_[far[open_]]:
-            reasons[k] = (f"out of reach: the target is {distance[k]:.4g} {arm.unit} from the "
-                          f"base, all links end to end are {self.task.reach:.4g} {arm.unit}")
-        open_ = open_[~far[open_]]
-        within = self._reachable(self.task, open_)
-        for k in open_[within]:
-            reasons[k] = self._stopped(k)
-        open_ = open_[~within]
-        beyond = self._reachable(replace(self.task, keep_limits=False), open_)
-        for k, reachable in zip(open_, beyond):
-            reasons[k] = (f"out of limits: reached only beyond the joint limits; {self._nearest(k)}"
-                          if reachable else f"out of reach: {self._nearest(k)}{self._hint()}")
-
-    def _reachable(self, task: Task, these: np.ndarray) -> np.ndarray:
-        """Whether damped steps from many starts reach some of the targets."""
-        if not len(these):
-            return np.zeros(0, bool)
-        found = search(task, METHODS["damped"], self.views[..., these], self.q0[these].T,
-                       restarts=RESTARTS, steps=STEPS, seed=self.seed)
-        return found.reached
-
-    def _stopped(self, k: int) -> str:
-        """Why this method stopped on the way to a target that another start reaches."""
-        ranks = _ranks(self._sizes(np.stack([self.q0[k], self.q[k]], axis=1), np.array([k, k])))
-        full = min(self.task.arm.n, np.count_nonzero(self.task.weights))
-        if min(ranks) == full:
-            return (f"not reached in {self.iterations[k]} steps of '{self.method}'; "
-                    f"allow restarts or more steps, or begin elsewhere; {self._nearest(k)}")
-        place, r = ("singular start", ranks[0]) if ranks[0] < full else ("singular pose", ranks[1])
-        return (f"{place}: the Jacobian has rank {r} there, not {full}, and '{self.method}' "
-                f"found no way on; allow restarts, or begin elsewhere; {self._nearest(k)}")
-
-    def _nearest(self, k: int) -> str:
-        position, rotation = self.misses[:, k]
-        misses = (f"{position:.3g} {self.task.arm.unit}", f"{degrees(rotation):.3g} degrees")
-        counted = np.any(np.reshape(self.task.weights, (2, 3)) > 0, axis=1)
-        return ("the nearest pose found misses it by "
-                + " and ".join(miss for miss, counts in zip(misses, counted) if counts))
-
-    def _hint(self) -> str:
-        if self.task.arm.n >= np.count_nonzero(self.task.weights):
-            return ""
-        return (f"; {self.task.arm.n} joints do not reach every pose, leave a direction free by "
-                "weights")
-
-    def _sizes(self, q: np.ndarray, owner: np.ndarray) -> np.ndarray:
-        """Singular values (m, k) of the weighted Jacobian at joint values (n, m)."""
-        return singular_values(self.task.errors(self.views[..., owner], q)[0])
+    _check_arm(arm)
+    poses, count = _targets("target", target, ())
+    task, options = _task(arm, count, weights, limits, tolerance, method, restarts, seed, steps)
+    attempt = Attempt(task, poses, _starts(arm, q0, ()), trail=[], **options)
+    position, rotation = attempt.misses[:, 0].tolist()
+    return InverseResult(attempt.q[0], bool(attempt.success[0]), int(attempt.iterations[0]),
+                         position, rotation, forward_kinematics(arm, attempt.q[0]),
+                         attempt.history(), attempt)
 
 
-def _ranks(sizes: np.ndarray) -> np.ndarray:
-    return np.sum(sizes > RANK_TOLERANCE * sizes[:, :1], axis=1)
+def inverse_kinematics_batch(arm: Arm, targets: Any, q0: Any = None, *, method: str = "damped",
+                             weights: Any = None, limits: str = "keep",
+                             restarts: int | None = None, seed: int = 0,
+                             tolerance: float = 1e-6, steps: int = STEPS) -> InverseBatch:
+    """`inverse_kinematics` for many targets at once, far faster than one by one.
+
+    Parameters
+    ----------
+    arm : Arm
+    targets : array, shape (m, 4, 4) or (m, 3)
+        Poses of the tool, or tool points.
+    q0 : array, shape (n,) or (m, n), optional
+        Where to begin, for all targets or for each; the arm's home if left out.
+    method, weights, limits, restarts, seed, tolerance, steps
+        As in `inverse_kinematics`.
+
+    Returns
+    -------
+    InverseBatch
+
+    Examples
+    --------
+    >>> from kinlab import robots
+    >>> inverse_kinematics_batch(robots.two_link(), [[1, 1, 0], [3, 0, 0]]).success
+    array([ True, False])
+    """
+    _check_arm(arm)
+    poses, count = _targets("targets", targets, (-1,))
+    task, options = _task(arm, count, weights, limits, tolerance, method, restarts, seed, steps)
+    starts = _starts(arm, q0, (len(poses),))
+    parts = [slice(k, k + BATCH) for k in range(0, max(len(poses), 1), BATCH)]
+    attempts = tuple(Attempt(task, poses[part], starts[part], trail=Trail(), **options)
+                     for part in parts)
+    position, rotation = np.concatenate([attempt.misses for attempt in attempts], axis=1)
+    return InverseBatch(np.concatenate([attempt.q for attempt in attempts]),
+                        np.concatenate([attempt.success for attempt in attempts]),
+                        np.concatenate([attempt.iterations for attempt in attempts]),
+                        position, rotation, attempts)
 
 
-def _condition(sizes: np.ndarray) -> np.ndarray:
-    lost = sizes[:, -1] <= np.finfo(float).eps * sizes[:, 0]
-    return np.where(lost, np.inf, sizes[:, 0] / np.where(lost, 1, sizes[:, -1]))
+def _task(arm: Arm, count: int, weights: Any, limits: str, tolerance: Any, method: str,
+          restarts: Any, seed: Any, steps: Any) -> tuple[Task, dict]:
+    """The task, and the options of its attempt."""
+    inputs.choice("limits", limits, ("keep", "ignore"))
+    inputs.choice("method", method, tuple(METHODS))
+    task = Task(arm, _weights(weights, count),
+                inputs.positive("tolerance", tolerance), limits == "keep")
+    directions = np.count_nonzero(task.weights)
+    if method == "newton" and directions != arm.n:
+        raise ValueError(f"method: expected as many joints as directions for 'newton', got {arm.n} "
+                         f"and {directions}; take 'damped', or leave directions free by weights")
+    if restarts is None:
+        restarts = RESTARTS if method == "damped" else 0
+    return task, dict(method=method, restarts=inputs.whole("restarts", restarts, 0),
+                      seed=inputs.whole("seed", seed, 0), steps=inputs.whole("steps", steps, 1))
+
+
+def _weights(weights: Any, count: int) -> np.ndarray:
+    """Six weights, the largest 1; those of rotation are 0 for a point."""
+    given = np.ones(count) if weights is None else inputs.shaped(
+        "weights", weights, (count,), f"{count} numbers, one per direction")
+    if given.min() < 0 or given.max() == 0 or np.any((given > 0) & (given < 1e-6 * given.max())):
+        raise ValueError("weights: expected 0, or numbers above 0 within a factor of a million, "
+                         f"got {inputs.brief(given.tolist())}")
+    return np.concatenate([given / given.max(), np.zeros(6 - count)])
+
+
+def _targets(name: str, value: Any, lead: tuple[int, ...]) -> tuple[np.ndarray, int]:
+    """Poses (m, 4, 4) and how many directions each has: 6, or 3 for a point."""
+    shapes = "a pose (4, 4) or a point (3,)" if not lead else "poses (m, 4, 4) or points (m, 3)"
+    array = inputs.real_array(name, value, shapes)
+    if array.shape[len(lead):] == (3,) and array.ndim == 1 + len(lead):
+        poses = np.tile(np.eye(4), (array.size // 3, 1, 1))
+        poses[:, :3, 3] = array
+        return poses, 3
+    if array.shape[len(lead):] != (4, 4):
+        raise ValueError(f"{name}: expected {shapes}, got shape {array.shape}")
+    return inputs.rigids(name, array.reshape(-1, 4, 4)), 6
+
+
+def _starts(arm: Arm, q0: Any, lead: tuple[int, ...]) -> np.ndarray:
+    """Joint values to begin at, shape (m, n)."""
+    shape = (*lead, arm.n)
+    if q0 is None:
+        return np.broadcast_to(arm.home, (*(lead or (1,)), arm.n))
+    q0 = inputs.real_array("q0", q0, f"{arm.n} joint values")
+    if q0.shape not in (shape, (arm.n,)):
+        raise ValueError(f"q0: expected shape {shape}, got {q0.shape}; give one value per joint")
+    return np.broadcast_to(q0, (*(lead or (1,)), arm.n))

@@ -12,10 +12,13 @@ from itertools import chain
 
 import numpy as np
 
-from ..arms.arm import REVOLUTE, Arm
-from ..arms.kinematics import joint_limits, joint_ranges, reach, tool_and_joints, typical_length
-from ..arms.motions import Frame
+from ..arms.arm import Arm
+from ..arms.joints import WHOLE_TURN, joint_limits
+from ..arms.kinematics import reach, tool_and_joints, twist, typical_length
+from ..arms.link import REVOLUTE
+from ..arms.motions import ROTATE, TRANSLATE, Frame, cross
 
+Places = slice | np.ndarray
 AIM = 0.99  # of the tolerance, so that rounding does not undo what was reached
 
 
@@ -33,9 +36,9 @@ class Task:
         return tuple(motion for motion in chain(*self.arm.chain) if not motion.idle)
 
     @cached_property
-    def rows(self) -> slice | np.ndarray:
-        """The directions that count; all of them without a copy."""
-        return slice(None) if self.weights.all() else np.flatnonzero(self.weights)
+    def rows(self) -> Places:
+        """The directions that count."""
+        return _where(self.weights)
 
     @cached_property
     def scale(self) -> np.ndarray:
@@ -45,9 +48,9 @@ class Task:
     @cached_property
     def limits(self) -> tuple[np.ndarray, np.ndarray]:
         """Lowest and highest joint values that are allowed, shape (n, 1)."""
-        free = np.full(self.arm.n, np.inf)
-        low, high = joint_limits(self.arm) if self.keep_limits else (-free, free)
-        return low[:, None], high[:, None]
+        free = np.full((self.arm.n, 1), np.inf)
+        low, high = joint_limits(self.arm)[..., None] if self.keep_limits else (-free, free)
+        return low, high
 
     @cached_property
     def walls(self) -> tuple[np.ndarray, np.ndarray]:
@@ -61,10 +64,18 @@ class Task:
         """Which joints turn, shape (n, 1)."""
         return np.array([[link.kind == REVOLUTE] for link in self.arm.links])
 
+    @cached_property
+    def kinds(self) -> tuple[tuple[str, Places], ...]:
+        """The motions of joints, and which joints make each."""
+        turns = self.revolute[:, 0]
+        return tuple((kind, _where(these)) for kind, these in ((ROTATE, turns), (TRANSLATE, ~turns))
+                     if these.any())
+
     def starts(self, rng: np.random.Generator, count: int) -> np.ndarray:
         """Random joint values within the limits, shape (n, count)."""
-        low, high = joint_ranges(self.arm, typical_length(self.arm))
-        return rng.uniform(low[:, None], high[:, None], (self.arm.n, count))
+        length = typical_length(self.arm)
+        low, high = joint_limits(self.arm, turn=WHOLE_TURN, slide=(-length, length))[..., None]
+        return rng.uniform(low, high, (self.arm.n, count))
 
     @cached_property
     def reach(self) -> float:
@@ -96,17 +107,18 @@ class Task:
         """The whole turns in angles; none in lengths."""
         return self.revolute * (2 * np.pi) * np.round(q / (2 * np.pi))
 
-    def errors(self, view: np.ndarray, q: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    def errors(self, seen: np.ndarray, q: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Jacobian (n, rows, m) and weighted error (rows, m) at joint values (n, m).
 
-        `view`, shape (4, 3, m), is the room as the targets see it: its axes and its origin.
+        `seen`, shape (4, 3, m), is the room as the targets see it: its axes and its origin.
         """
-        tool, joints = tool_and_joints(self.motions, q, _vectors(view))
-        J, e = np.zeros((self.arm.n, 6, q.shape[1])), np.empty((6, q.shape[1]))
+        tool, joints = tool_and_joints(self.motions, q, _vectors(seen))
+        J, e = np.empty((self.arm.n, 6, q.shape[1])), np.empty((6, q.shape[1]))
         (e[:3],), z = tool.origin, np.array([axis for _, (axis,), _ in joints])
         lever = e[:3] - np.array([point for *_, (point,) in joints])
-        J[:, :3] = np.where(self.revolute[:, None], _cross(z, lever), z)
-        J[:, 3:] = self.revolute[:, None] * z
+        for kind, these in self.kinds:
+            for row, component in enumerate(twist(kind, _apart(z[these]), _apart(lever[these]))):
+                J[these, row] = component
         if self.turns:
             e[3:] = rotation_vectors(np.array([axis for (axis,) in tool.settled()]))
         if self.lopsided:
@@ -166,17 +178,22 @@ def _rates(v: np.ndarray, w: np.ndarray) -> np.ndarray:
     """
     angle = np.maximum(np.sqrt(np.sum(v * v, axis=0)), 1e-4)
     b = (1 - 0.5 * angle / np.tan(0.5 * angle)) / angle ** 2
-    first = _cross(v, w)
-    return w - 0.5 * first + b * _cross(v, first)
+    first = cross(v, _apart(w))
+    return _apart(np.array([rate - 0.5 * once + b * twice for rate, once, twice
+                            in zip(_apart(w), first, cross(v, first))]))
 
 
-def _cross(u: np.ndarray, v: np.ndarray) -> np.ndarray:
-    """Cross products of vectors (..., 3, m)."""
-    return np.stack([u[..., i, :] * v[..., j, :] - u[..., j, :] * v[..., i, :]
-                     for i, j in ((1, 2), (2, 0), (0, 1))], axis=-2)
+def _apart(vectors: np.ndarray) -> np.ndarray:
+    """Vectors (n, 3, m) component by component, shape (3, n, m); or back."""
+    return vectors.swapaxes(0, 1)
 
 
-def _vectors(view: np.ndarray) -> Frame:
+def _where(these: np.ndarray) -> Places:
+    """Where the entries are not zero; everywhere as a slice, which copies nothing."""
+    return slice(None) if these.all() else np.flatnonzero(these)
+
+
+def _vectors(seen: np.ndarray) -> Frame:
     """A frame whose axes and origin have one component: a whole vector, shape (3, m)."""
-    x, y, z, origin = view
+    x, y, z, origin = seen
     return Frame(((x,), (y,), (z,)), (origin,))

@@ -15,8 +15,9 @@ from ..answers.placed_frames import examine_frames
 from ..answers.table_judge import examined
 from ..answers.verdict import BLANK, CORRECT, NOT_YET, Fault, Verdict
 from ..arms import robots
-from ..arms.arm import Arm, prismatic, revolute
+from ..arms.arm import Arm
 from ..arms.kinematics import forward_kinematics, link_frames
+from ..arms.link import prismatic, revolute
 from ..arms.motions import ROTATE, TRANSLATE, X, Y, Z
 from ..drawing.scene import Vector, at
 from ..drawing.sketch import Sketch

@@ -12,6 +12,7 @@ from ..answers.conditions import degrees_slip, one_of_many
 from ..answers.judges import Judge, choices, expressions
 from ..answers.table_judge import column, table, with_columns
 from ..arms import kinematics, robots
+from ..arms.joints import joint_array
 
 _ARM = robots.intelledex_660t()
 _JOINTS = tuple(f"theta_{i}" for i in range(1, 7))
@@ -93,7 +94,7 @@ _WRIST_HOME, _LEFT = np.array([609.6, 0.0, 373.4]), np.array([cos(pi / 4), sin(p
 
 
 def _six_values(answer: Any) -> np.ndarray:
-    q = kinematics.joint_values(_ARM, answer)
+    q = joint_array(_ARM, answer)
     if q.ndim != 1:
         raise ValueError("Hand over six joint values in one list")
     return q

@@ -8,11 +8,11 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
 
 from ..arms import inputs
-from ..arms.arm import PRISMATIC, REVOLUTE
+from ..arms.link import PARAMETERS, PRISMATIC, REVOLUTE
 from .as_csv import LONGEST_FILE, frame
-from .cells import angle_text, is_plain, number_text
+from .cells import angle_text, is_plain, line, number_text
 from .numbers import parse_number
-from .table import LIMITS, MOST_LENGTHS, MOST_ROWS, PARAMETERS, DHTable, Place, Row, line
+from .table import LIMITS, MOST_LENGTHS, MOST_ROWS, DHTable, Place, Row
 
 _MATH = ("cos", "pi", "radians", "sin", "sqrt")
 _LIBRARIES = ("math", "np", "numpy")
@@ -150,7 +150,8 @@ def from_code(text: str) -> DHTable:
         with warnings.catch_warnings(action="ignore"):  # Python's own remarks on odd escapes
             return _Reader().read(ast.parse(text.replace("\0", " ")))
     except (SyntaxError, UnicodeError, MemoryError, RecursionError) as error:
-        where = f"line {error.lineno} is" if getattr(error, "lineno", None) else "this is"
+        number = getattr(error, "lineno", None)
+        where = f"line {number} is" if number else "this is"
         raise ValueError(f"text: expected {_SHAPE}; {where} not Python") from None
 
 
@@ -158,7 +159,7 @@ def from_code(text: str) -> DHTable:
 class _Reader:
     """What the names of the text stand for, as far as it is read."""
 
-    lists: dict[str, ast.AST] = field(default_factory=dict)
+    lists: dict[str, ast.expr] = field(default_factory=dict)
     numbers: dict[str, float] = field(default_factory=dict)
     texts: dict[str, str] = field(default_factory=dict)
     table: DHTable | None = None
@@ -178,7 +179,7 @@ class _Reader:
             raise ValueError(f"text: expected {_SHAPE}, got no arm")
         return self.table
 
-    def assign(self, name: str, value: ast.AST) -> None:
+    def assign(self, name: str, value: ast.expr) -> None:
         if isinstance(value, ast.List | ast.Tuple):
             self.lists[name] = value
         elif isinstance(value, ast.Call) and _called(value) == "Arm":
@@ -206,24 +207,26 @@ class _Reader:
             raise ValueError(f"text: expected at most {MOST_LENGTHS} named lengths")
         return replace(table, lengths=tuple(named))
 
-    def told(self, table: DHTable, word: str | None, value: ast.AST) -> DHTable:
+    def told(self, table: DHTable, word: str | None, value: ast.expr) -> DHTable:
         """The table with what another argument of Arm says of it."""
         match word, value:
             case "convention", ast.Constant(value=convention):
-                return table.read_as(convention)
-            case "name" | "unit", ast.Constant(value=str(one)):
-                return replace(table, **{word: line(one)})
+                return table.read_as(str(convention))
+            case "name", ast.Constant(value=str(name)):
+                return replace(table, name=line(name))
+            case "unit", ast.Constant(value=str(unit)):
+                return replace(table, unit=line(unit))
             case "base" | "tool", _:
                 numbers = [self.number(entry) for row in self.items(value)
                            for entry in self.items(row)]
-                return replace(table, **{word: frame(word, numbers)})
+                return replace(table, **frame(word, numbers))
             case "home", _ if len(homes := self.items(value)) == len(table.rows):
                 texts = [self.cell(row, "home", home) for row, home in zip(table.rows, homes)]
                 return replace(table, rows=tuple(replace(row, home="" if text == "0" else text)
                                                  for row, text in zip(table.rows, texts)))
         raise _refused(value)
 
-    def row(self, node: ast.AST) -> Row:
+    def row(self, node: ast.expr) -> Row:
         if not isinstance(node, ast.Call) or _called(node) not in (REVOLUTE, PRISMATIC):
             raise _refused(node)
         row = Row(_called(node))
@@ -233,10 +236,10 @@ class _Reader:
             row = self.argument(row, keyword.arg, keyword.value)
         return row
 
-    def argument(self, row: Row, word: str | None, value: ast.AST) -> Row:
+    def argument(self, row: Row, word: str | None, value: ast.expr) -> Row:
         match word, value:
-            case "theta" | "d" | "a" | "alpha", _:
-                return replace(row, **{word: self.cell(row, word, value)})
+            case ("theta" | "d" | "a" | "alpha") as column, _:
+                return row.with_cells({column: self.cell(row, column, value)})
             case "name", ast.Constant(value=str(name)):
                 return replace(row, name=line(name))
             case "name" | "limits", ast.Constant(value=None):
@@ -246,7 +249,7 @@ class _Reader:
                                high=self.cell(row, "high", ends[1]))
         raise _refused(value)
 
-    def cell(self, row: Row, column: str, node: ast.AST) -> str:
+    def cell(self, row: Row, column: str, node: ast.expr) -> str:
         """The text of a cell of a table in degrees; worked out where a cell cannot say it."""
         text, number = self.text(node), self.number(node)
         if not row.is_angle(column):
@@ -256,13 +259,13 @@ class _Reader:
         keep = "pi" in text and not _names(text) & self.numbers.keys()
         return text if keep else angle_text(number, "deg")
 
-    def number(self, node: ast.AST) -> float:
+    def number(self, node: ast.expr) -> float:
         try:
             return parse_number(self.text(node), self.numbers)
         except ValueError as error:
             raise ValueError(f"text: {_line(node)}{error}") from None
 
-    def items(self, node: ast.AST) -> list[ast.AST]:
+    def items(self, node: ast.expr) -> list[ast.expr]:
         """The entries of a list, of a name that stands for one, or of radians([...])."""
         match node:
             case ast.List(elts=entries) | ast.Tuple(elts=entries):
@@ -274,7 +277,7 @@ class _Reader:
                         for entry in self.items(argument)]
         raise _refused(node)
 
-    def text(self, node: ast.AST) -> str:
+    def text(self, node: ast.expr) -> str:
         """A number's expression as the text of a cell."""
         return ast.unparse(_Plain().visit(node)).replace(" * deg", " deg")
 

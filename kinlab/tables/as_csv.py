@@ -5,11 +5,13 @@ import csv
 import io
 from collections.abc import Sequence
 from dataclasses import replace
+from typing import Any
 
 from ..arms import inputs
-from ..arms.arm import CONVENTIONS, PRISMATIC, REVOLUTE
-from .cells import ANGLES
-from .table import COLUMNS, MOST_LENGTHS, MOST_ROWS, DHTable, Row, line, matrix
+from ..arms.arm import CONVENTIONS
+from ..arms.link import PRISMATIC, REVOLUTE
+from .cells import ANGLES, line
+from .table import COLUMNS, MOST_LENGTHS, MOST_ROWS, DHTable, Row, matrix
 
 LONGEST_FILE = 50_000
 _HEADS = {"θ": "theta", "α": "alpha", "type": "joint", "θ*": "theta"}
@@ -112,7 +114,7 @@ def _row(columns: Sequence[str], texts: Sequence[str], number: int) -> Row:
     if kind not in _KINDS:
         raise ValueError(f"text: line {number} has a joint {inputs.brief(kind)}; "
                          "expected revolute or prismatic")
-    return replace(Row(_KINDS[kind]), **cells)
+    return Row(_KINDS[kind]).with_cells(cells)
 
 
 def _told(table: DHTable, cells: Sequence[str], number: int) -> DHTable:
@@ -133,17 +135,17 @@ def _told(table: DHTable, cells: Sequence[str], number: int) -> DHTable:
         case "length" if len(given) <= 2 and len(table.lengths) < MOST_LENGTHS:
             return table.with_length(len(table.lengths) + 1, *(*given, "", "")[:2])
         case "base" | "tool":
-            return replace(table, **{word: frame(word, given)})
+            return replace(table, **frame(word, given))
     raise ValueError(f"text: line {number} says {inputs.brief(','.join(cells))}; expected name, "
                      "convention, angles, lengths, length, base, tool or a header")
 
 
-def frame(end: str, cells: Sequence) -> tuple | None:
-    """A base or tool frame from its 16 numbers, row by row."""
+def frame(end: str, cells: Sequence) -> dict[str, Any]:
+    """What changes in a table by a base or tool frame, given as 16 numbers, row by row."""
     try:
         numbers = [float(cell) for cell in cells]
         rows = [numbers[k:k + 4] for k in (0, 4, 8, 12)]
     except (TypeError, ValueError):
         raise ValueError(f"{end}: expected 16 numbers, row by row, "
                          f"got {inputs.brief(list(cells))}") from None
-    return matrix(inputs.rigid(end, rows))
+    return {end: matrix(inputs.rigid(end, rows))}

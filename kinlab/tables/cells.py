@@ -9,6 +9,7 @@ import re
 from collections.abc import Mapping
 from decimal import Decimal
 from fractions import Fraction
+from typing import Any
 
 from ..arms import inputs
 from .numbers import LONGEST, read_number
@@ -60,6 +61,14 @@ def read_length(text: str, names: Mapping[str, float] | None = None) -> float:
 def is_plain(text: str) -> bool:
     """Whether the text is one number, such as -177.8."""
     return bool(_PLAIN.fullmatch(text))
+
+
+def line(text: Any) -> str:
+    """Text without line breaks and other characters that a cell cannot show."""
+    if not isinstance(text, str) or len(text) > LONGEST:
+        raise ValueError(f"text: expected text of at most {LONGEST} characters, "
+                         f"got {inputs.brief(text)}")
+    return " ".join("".join(c if c.isprintable() else " " for c in text).split())
 
 
 def number_text(value: float) -> str:
@@ -115,22 +124,24 @@ def length_in(text: str, old: str, new: str, names: Mapping[str, float],
               new_names: Mapping[str, float]) -> str:
     """The text of the same length in another unit; what cannot be read stays as it is.
 
+    So does what scales with its names, such as -d2. Any other formula becomes its value.
+
     Examples
     --------
     >>> length_in("177.8", "mm", "m", {}, {})
     '0.1778'
-    >>> length_in("d2 + 100", "mm", "m", {"d2": 500}, {"d2": 0.5})
-    '((d2*1000) + 100)/1000'
+    >>> [length_in(text, "mm", "m", {"d2": 500}, {"d2": 0.5}) for text in ("-d2", "d2 + 100")]
+    ['-d2', '0.6']
     """
     if is_plain(text):
         return number_text(float(Decimal(text) * MILLIMETRES[old] / MILLIMETRES[new]))
-    value = _length(text, names)
+    value, unchanged = _length(text, names), _length(text, new_names)
     if value is None:
         return text
     wanted = value * float(MILLIMETRES[old] / MILLIMETRES[new])
-    choices = (text, _unwrapped(text, old, new, names), _wrapped(text, old, new, names))
-    return next((choice for choice in choices if _means(choice, wanted, new_names)),
-                number_text(wanted))
+    if unchanged is not None and math.isclose(unchanged, wanted, rel_tol=1e-12):
+        return text
+    return number_text(float(f"{wanted:.15g}"))  # 0.6, not 0.6000000000000001
 
 
 def _angle(text: str, unit: str) -> float:
@@ -149,40 +160,6 @@ def _part_of_pi(angle: float) -> str:
 
 def _length(text: str, names: Mapping[str, float]) -> float | None:
     try:
-        value, angle = read_number(text, names)
+        return read_length(text, names)
     except ValueError:
         return None
-    return None if angle else value
-
-
-def _means(text: str, wanted: float, names: Mapping[str, float]) -> bool:
-    value = _length(text, names)
-    return value is not None and math.isclose(value, wanted, rel_tol=1e-12)
-
-
-def _ratio(old: str, new: str) -> tuple[str, str]:
-    """How a number goes into the new unit, and how it comes back: ('/1000', '*1000')."""
-    more = MILLIMETRES[new] / MILLIMETRES[old]
-    if more >= 1:
-        return f"/{more:f}", f"*{more:f}"
-    less = MILLIMETRES[old] / MILLIMETRES[new]
-    return f"*{less:f}", f"/{less:f}"
-
-
-def _wrapped(text: str, old: str, new: str, names: Mapping[str, float]) -> str:
-    there, back = _ratio(old, new)
-    return f"({_each_name(text, names, lambda name: f'({name}{back})')}){there}"
-
-
-def _unwrapped(text: str, old: str, new: str, names: Mapping[str, float]) -> str:
-    """The text that was wrapped when the unit was changed the other way."""
-    there, back = _ratio(old, new)
-    inner = text.removesuffix(back)
-    for name in names:
-        inner = inner.replace(f"({name}{there})", name)
-    return inner[1:-1]
-
-
-def _each_name(text: str, names: Mapping[str, float], write) -> str:
-    return re.sub(r"[A-Za-z_][A-Za-z_0-9]*",
-                  lambda match: write(match[0]) if match[0] in names else match[0], text)

@@ -5,7 +5,7 @@ import ast
 import math
 import operator
 import re
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from keyword import iskeyword
 from typing import Any
 
@@ -16,9 +16,11 @@ LARGEST_POWER = 100
 _UNITS = {"deg": math.pi / 180, "rad": 1.0}
 _FUNCTIONS = {"sqrt": math.sqrt, "sin": math.sin, "cos": math.cos}
 _RESERVED = {"pi", *_UNITS, *_FUNCTIONS}
-_OPERATORS = {ast.Add: operator.add, ast.Sub: operator.sub, ast.Mult: operator.mul,
-              ast.Div: operator.truediv, ast.Pow: operator.pow}
-_SIGNS = {ast.UAdd: operator.pos, ast.USub: operator.neg}
+_OPERATORS: dict[type[ast.operator], Callable[[float, float], float]] = {
+    ast.Add: operator.add, ast.Sub: operator.sub, ast.Mult: operator.mul,
+    ast.Div: operator.truediv, ast.Pow: operator.pow}
+_SIGNS: dict[type[ast.unaryop], Callable[[float], float]] = {
+    ast.UAdd: operator.pos, ast.USub: operator.neg}
 # What keyboards, word processors and other programs write for the same signs.
 _SPELLINGS = {"°": " deg ", "º": " deg ", "π": " pi ", "−": "-", "–": "-", "×": "*", "·": "*",
               "^": "**"}
@@ -71,7 +73,7 @@ def read_number(text: str, names: Mapping[str, float] | None = None) -> tuple[fl
     try:
         value, angle = _value(ast.parse(_spelled(text, known), mode="eval").body, known)
         _refuse_if(not abs(value) <= inputs.LARGEST, "it is too large")
-    except (*_REASONS, SyntaxError, MemoryError, RecursionError) as error:
+    except _UNREADABLE as error:
         reason = _REASONS.get(type(error), "look for a missing operator or bracket")
         raise ValueError(f"{inputs.brief(text)}: expected a number such as -90 deg, pi/2 or 177.8; "
                          f"{reason or error}") from None
@@ -90,8 +92,9 @@ class _Refused(Exception):
     """Why the text is no number."""
 
 
-_REASONS = {OverflowError: "it is too large", ZeroDivisionError: "it divides by zero",
-            _Refused: ""}
+_REASONS: dict[type[Exception], str] = {
+    OverflowError: "it is too large", ZeroDivisionError: "it divides by zero", _Refused: ""}
+_UNREADABLE: tuple[type[Exception], ...] = (*_REASONS, SyntaxError, MemoryError, RecursionError)
 
 
 def _refuse_if(condition: bool, reason: str) -> None:
@@ -122,8 +125,9 @@ def _spelled(text: str, known: Mapping[str, float]) -> str:
             strange = inputs.brief(text[position:].lstrip()[0])
             raise _Refused("write the decimal point as . and not as ," if strange == "','"
                            else f"{strange} has no place in a number")
-        position, token = match.end(), match[match.lastgroup]
-        tokens.append(_read(token, match.lastgroup, before, known))
+        kind = str(match.lastgroup)  # one of the three always
+        position, token = match.end(), match[kind]
+        tokens.append(_read(token, kind, before, known))
         before = token
     return " ".join(tokens)
 
@@ -145,8 +149,8 @@ def _read(token: str, kind: str, before: str, known: Mapping[str, float]) -> str
 def _value(node: ast.AST, known: Mapping[str, float]) -> tuple[float, bool]:
     """The value of a part, and whether it carries an angle's unit."""
     match node:
-        case ast.Constant():
-            return node.value, False
+        case ast.Constant(value=float(number)):
+            return number, False
         case ast.Name() if node.id in known:
             return known[node.id], node.id in _UNITS
         case ast.UnaryOp():
@@ -154,12 +158,12 @@ def _value(node: ast.AST, known: Mapping[str, float]) -> tuple[float, bool]:
             return _SIGNS[type(node.op)](value), angle
         case ast.BinOp():
             return _combined(node.op, _value(node.left, known), _value(node.right, known))
-        case ast.Call(args=[argument], keywords=[]):
+        case ast.Call(func=ast.Name(id=name), args=[argument], keywords=[]):
             value, angle = _value(argument, known)
-            root = node.func.id == "sqrt"
+            root = name == "sqrt"
             _refuse_if(root and angle, "an angle has no square root")
             _refuse_if(root and value < 0, "a root of a negative number is not real")
-            return _FUNCTIONS[node.func.id](value), False
+            return _FUNCTIONS[name](value), False
     raise _Refused("write a function with its argument in brackets, such as sqrt(2)")
 
 

@@ -1,4 +1,4 @@
-"""A DH table beside the same numbers in the other convention, and the pattern of its signs."""
+"""A DH table beside the same numbers in the other convention."""
 from __future__ import annotations
 
 import math
@@ -7,15 +7,13 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from ..answers.same_mechanism import same_mechanism
-from ..arms.arm import CONVENTIONS, REVOLUTE, Arm, to_modified, to_standard
+from ..arms.arm import CONVENTIONS, Arm, to_modified, to_standard
 from ..arms.kinematics import axis_frames, forward_kinematics, link_frames
-
-_COLUMNS = ("theta", "d", "a", "alpha")
-_SIGNS = {1: "+", -1: "−", 0: "0"}
+from ..arms.link import REVOLUTE
 
 
 @dataclass(frozen=True, eq=False)
-class Reading:
+class OtherReading:
     """An arm's numbers in the other convention.
 
     Attributes
@@ -36,7 +34,7 @@ class Reading:
     moved: list[str]
 
 
-def other_reading(arm: Arm, q: np.ndarray) -> Reading:
+def other_reading(arm: Arm, q: np.ndarray) -> OtherReading:
     """What the same numbers mean in the other convention, seen at joint values q.
 
     Examples
@@ -49,7 +47,8 @@ def other_reading(arm: Arm, q: np.ndarray) -> Reading:
     other, = set(CONVENTIONS) - {arm.convention}
     numbers = replace(arm, convention=other)
     converted = (to_modified if other == "modified" else to_standard)(arm)
-    return Reading(numbers, converted, same_mechanism(numbers, arm).ok, _moved(arm, numbers, q))
+    same = same_mechanism(numbers, arm).ok
+    return OtherReading(numbers, converted, same, _moved(arm, numbers, q))
 
 
 def _moved(arm: Arm, other: Arm, q: np.ndarray) -> list[str]:
@@ -74,35 +73,9 @@ def _axis_moved(kind: str, a: np.ndarray, b: np.ndarray, unit: str) -> str:
 
 
 def _turn(T: np.ndarray, U: np.ndarray) -> str:
-    chord = np.linalg.norm(T[:3, :3] - U[:3, :3]) / math.sqrt(8)  # sin of half the angle
+    chord = float(np.linalg.norm(T[:3, :3] - U[:3, :3])) / math.sqrt(8)  # sin of half the angle
     angle = math.degrees(2 * math.asin(min(1.0, chord)))
     return f"{angle:.4g}°" if angle > 1e-6 else ""
-
-
-def sign_pattern(arm: Arm) -> list[list[str]]:
-    """The table with only the signs of its numbers; * marks the joint variable.
-
-    Examples
-    --------
-    >>> from kinlab import robots
-    >>> for row in sign_pattern(robots.exam_2018()):
-    ...     print(*row)
-    i θ d a α
-    1 * + 0 +
-    2 *+ + + +
-    3 + * 0 0
-    """
-    return [["i", "θ", "d", "a", "α"]] + [
-        [str(i), *(_sign(link, column) for column in _COLUMNS)]
-        for i, link in enumerate(arm.links, start=1)]
-
-
-def _sign(link, column: str) -> str:
-    value = getattr(link, column)
-    sign = _SIGNS[int(np.sign(value))]
-    if column != link.variable:
-        return sign
-    return "*" + sign if value else "*"
 
 
 def frame_text(T: np.ndarray, unit: str) -> str:

@@ -1,7 +1,7 @@
 """A DH table as a student types it: frozen text, what it says, and the edits that change it."""
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from itertools import count
@@ -10,20 +10,21 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from ..arms import inputs
-from ..arms.arm import CONVENTIONS, PRISMATIC, REVOLUTE, Arm, Link, to_modified, to_standard
+from ..arms.arm import CONVENTIONS, Arm, to_modified, to_standard
+from ..arms.link import PARAMETERS, PRISMATIC, REVOLUTE, Link
 from .cells import (
     ANGLES,
     MILLIMETRES,
     angle_in,
     angle_text,
     length_in,
+    line,
     number_text,
     read_angle,
     read_length,
 )
-from .numbers import LONGEST, name_refused
+from .numbers import name_refused
 
-PARAMETERS = ("theta", "d", "a", "alpha")
 LIMITS = ("low", "high", "home")
 COLUMNS = PARAMETERS + LIMITS
 MOST_ROWS = MOST_LENGTHS = 20
@@ -56,6 +57,10 @@ class Row:
     def variable(self) -> str:
         """The column that holds the joint's offset."""
         return "theta" if self.kind == REVOLUTE else "d"
+
+    def with_cells(self, cells: Mapping[str, Any]) -> Row:
+        """The row with the texts of some cells changed."""
+        return replace(self, **cells)
 
     def is_angle(self, column: str) -> bool:
         """Whether a column holds an angle: those of limits and home do as the joint does."""
@@ -138,7 +143,8 @@ class DHTable:
 
     @cached_property
     def _reading(self) -> tuple[dict[Place, float], dict[Place, str]]:
-        values, errors = {}, {}
+        values: dict[Place, float] = {}
+        errors: dict[Place, str] = {}
         names = self._names(values, errors)
         for i, row in enumerate(self.rows, start=1):
             for column in COLUMNS:
@@ -168,10 +174,10 @@ class DHTable:
         return lambda text: read_length(text, names)
 
     def _link(self, i: int, row: Row) -> Link:
-        value = {column: self.values.get(Place(i, column)) for column in COLUMNS}
-        limits = None if value["low"] is None else (value["low"], value["high"])
-        return Link(row.kind, *(value[parameter] for parameter in PARAMETERS), limits,
-                    row.name or None)
+        theta, d, a, alpha = (self.values[Place(i, column)] for column in PARAMETERS)
+        low, high = Place(i, "low"), Place(i, "high")
+        limits = (self.values[low], self.values[high]) if row.low else None
+        return Link(row.kind, theta, d, a, alpha, limits, row.name or None)
 
     # ---- edits: each gives a new table, and refuses what makes no table at all ----
 
@@ -218,7 +224,8 @@ class DHTable:
 
     def without_end(self, end: str) -> DHTable:
         """The base or the tool frame left out."""
-        return replace(self, **{inputs.choice("end", end, ("base", "tool")): None})
+        inputs.choice("end", end, ("base", "tool"))
+        return replace(self, base=None) if end == "base" else replace(self, tool=None)
 
     def read_as(self, convention: str) -> DHTable:
         """The same numbers read in the other convention: in general another arm."""
@@ -234,7 +241,7 @@ class DHTable:
             return self
         arm = (to_modified if convention == "modified" else to_standard)(self.arm)
         shift = -1 if convention == "modified" else 1
-        rows = tuple(replace(row, **{column: self._moved_text(i + shift, column, link)
+        rows = tuple(row.with_cells({column: self._moved_text(i + shift, column, link)
                                      for column in ("a", "alpha")})
                      for i, (row, link) in enumerate(zip(self.rows, arm.links), start=1))
         return replace(self, rows=rows, convention=convention, base=matrix(arm.base),
@@ -276,7 +283,7 @@ class DHTable:
         return angle_text(value, self.angles) if column == "alpha" else number_text(value)
 
     def _rewritten(self, which: Callable, rewrite: Callable, **changes: Any) -> DHTable:
-        rows = (replace(row, **{column: rewrite(getattr(row, column)) for column in COLUMNS
+        rows = (row.with_cells({column: rewrite(getattr(row, column)) for column in COLUMNS
                                 if which(row, column) and getattr(row, column)})
                 for row in self.rows)
         return replace(self, rows=tuple(rows), **changes)
@@ -294,7 +301,7 @@ def _row(link: Link, home: float, angles: str) -> Row:
     values |= {"low": low, "high": high, "home": home or None}
     texts = {column: "" if value is None else angle_text(value, angles) if row.is_angle(column)
              else number_text(value) for column, value in values.items()}
-    return replace(row, name=line(link.name or ""), **texts)
+    return row.with_cells(texts | {"name": line(link.name or "")})
 
 
 def _note(place: Place, read: Callable, text: str, values: dict, errors: dict) -> None:
@@ -313,12 +320,6 @@ def _check_limits(i: int, row: Row, values: dict, errors: dict) -> None:
         errors[Place(i, "high")] = "expected an upper limit above the lower one"
 
 
-def line(text: Any) -> str:
-    """Text without line breaks and other characters that a cell cannot show."""
-    if not isinstance(text, str) or len(text) > LONGEST:
-        raise ValueError(f"text: expected text of at most {LONGEST} characters, "
-                         f"got {inputs.brief(text)}")
-    return " ".join("".join(c if c.isprintable() else " " for c in text).split())
 
 
 def _position(name: str, value: Any, last: int) -> int:
@@ -333,5 +334,3 @@ def _scaled(T: Matrix | None, factor: float) -> Matrix | None:
     scaled = np.array(T)
     scaled[:3, 3] *= factor
     return matrix(scaled)
-
-

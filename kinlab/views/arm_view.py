@@ -8,9 +8,11 @@ import ipywidgets
 import numpy as np
 
 from ..arms import inputs
-from ..arms.arm import REVOLUTE, Arm
-from ..arms.kinematics import forward_kinematics, joint_values
-from ..drawing.arm_scene import LAYERS, arm_scene, is_planar, joint_range
+from ..arms.arm import Arm
+from ..arms.joints import first_pose, joint_array, joint_range, one_pose
+from ..arms.kinematics import forward_kinematics
+from ..arms.link import REVOLUTE
+from ..drawing.arm_scene import LAYERS, arm_scene, is_planar
 from ..drawing.scene import SPATIAL, Scene, subscript
 from .live import Knob, LiveView, decimals, numbers
 
@@ -185,20 +187,6 @@ def _formula(arm: Arm) -> ipywidgets.HTMLMath:
     return formula
 
 
-def first_pose(arm: Arm, q: Any) -> np.ndarray:
-    """Joint values that a view begins with, checked; the arm's home if there are none."""
-    return one_pose(arm, arm.home if isinstance(arm, Arm) and q is None else q)
-
-
-def one_pose(arm: Arm, q: Any) -> np.ndarray:
-    """Joint values of one pose, checked."""
-    q = joint_values(arm, q)
-    if q.ndim != 1:
-        raise ValueError(f"q: expected one pose, shape ({arm.n},), got {q.shape}; "
-                         "a view shows one pose at a time")
-    return q
-
-
 def layers(show: Any) -> tuple[str, ...]:
     """Names of layers, checked."""
     try:
@@ -209,7 +197,7 @@ def layers(show: Any) -> tuple[str, ...]:
 
 
 def _poses(arm: Arm, poses: Any) -> np.ndarray:
-    poses = joint_values(arm, poses, "poses")
+    poses = joint_array(arm, poses, "poses")
     if poses.ndim != 2 or not len(poses):
         raise ValueError(f"poses: expected shape (m, {arm.n}) with m > 0, got {poses.shape}; "
                          "give a list of joint vectors")

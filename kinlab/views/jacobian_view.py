@@ -7,8 +7,10 @@ from typing import Any
 
 import numpy as np
 
-from ..arms.arm import REVOLUTE, Arm
+from ..arms.arm import Arm
+from ..arms.joints import first_pose
 from ..arms.kinematics import typical_length
+from ..arms.link import REVOLUTE
 from ..drawing.arm_scene import arm_scene, is_planar
 from ..drawing.scene import (
     ARROW,
@@ -25,7 +27,7 @@ from ..drawing.scene import (
     subscript,
 )
 from ..drawing.velocity import Velocity
-from .arm_view import first_pose, joint_knob, layers, pose_table, switches, tour
+from .arm_view import joint_knob, layers, pose_table, switches, tour
 from .live import LiveView
 
 SECONDS = 0.3  # of motion that an arrow shows

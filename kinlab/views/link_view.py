@@ -16,11 +16,12 @@ import numpy as np
 
 from ..arms import inputs
 from ..arms.arm import CONVENTIONS, Arm, _check_arm
+from ..arms.joints import first_pose, joint_range
 from ..arms.motions import ROTATE, Motion, X, Z
-from ..drawing.arm_scene import arm_scene, joint_range
+from ..drawing.arm_scene import arm_scene
 from ..drawing.scene import SPATIAL, Amount, Point, Scene, Vector, at, camera, subscript
 from ..drawing.sketch import Sketch
-from .arm_view import first_pose, joint_knob
+from .arm_view import joint_knob
 from .live import Knob, LiveView, decimals
 
 _AXES, _VIEW = np.eye(3), camera(*SPATIAL["3-D"])[2]

@@ -14,7 +14,7 @@ from ..arms.motions import TRANSLATE
 from ..drawing.arm_scene import arm_scene, is_planar
 from ..drawing.scene import LINE, PLANAR, TEXT, Entry, Item, Point, Reading, Scene, Step, at, circle
 from ..ik.descent import METHODS
-from ..ik.ik import inverse_kinematics
+from ..ik.solve import inverse_kinematics
 from .live import Knob, LiveView
 
 SIZE, HEART = (940.0, 570.0), (470.0, 208.0)   # px: the picture, and the middle of the arms

@@ -13,7 +13,8 @@ import numpy as np
 import traitlets
 
 from ..arms import inputs
-from ..arms.arm import REVOLUTE, Arm, _check_arm, revolute
+from ..arms.arm import Arm, _check_arm
+from ..arms.link import REVOLUTE, revolute
 from ..browser import bundle, page
 from ..drawing import worker
 from ..drawing.arm_scene import arm_scene

@@ -5,17 +5,12 @@ from html import escape
 
 import numpy as np
 
+from ..arms import printed
 from ..arms.arm import CONVENTIONS, Arm
 from ..tables.as_csv import to_csv
 from ..tables.cells import MILLIMETRES, angle_text, is_plain
-from ..tables.other_convention import Reading, frame_text, sign_pattern
-from ..tables.table import COLUMNS, PARAMETERS, DHTable, Place, Row
-
-
-def _order(table: DHTable) -> list[str]:
-    """The columns as each convention's books print them."""
-    modified = table.convention == "modified"
-    return ["alpha", "a", "d", "theta"] if modified else list(PARAMETERS)
+from ..tables.other_convention import OtherReading, frame_text
+from ..tables.table import COLUMNS, DHTable, Place, Row
 
 
 def state(table: DHTable) -> dict:
@@ -25,7 +20,8 @@ def state(table: DHTable) -> dict:
         dict.fromkeys(["mm", "m", table.unit]))
     return {
         "convention": table.convention, "conventions": list(CONVENTIONS), "angles": table.angles,
-        "unit": table.unit, "units": units, "columns": _order(table), "ends": ends,
+        "unit": table.unit, "units": units, "ends": ends,
+        "columns": list(printed.HEADS[table.convention]),
         "rows": [{"key": row.key, "kind": row.kind, "variable": row.variable, "name": row.name,
                   "cells": {column: _cell(table, i, row, column) for column in COLUMNS}}
                  for i, row in enumerate(table.rows, start=1)],
@@ -46,12 +42,9 @@ def _cell(table: DHTable, i: int, row: Row, column: str) -> dict:
 
 
 def table_text(table: DHTable) -> list[list[str]]:
-    heads = {"theta": "θ", "d": "d", "a": "a", "alpha": "α"}
-    if table.convention == "modified":
-        heads |= {"alpha": "α(i-1)", "a": "a(i-1)"}
-    order = _order(table)
-    return [["i", "joint", *(heads[column] for column in order)]] + [
-        [str(i), row.kind, *(_starred(row, column, i) for column in order)]
+    heads = printed.HEADS[table.convention]
+    return [["i", "joint", *heads.values()]] + [
+        [str(i), row.kind, *(_starred(row, column, i) for column in heads)]
         for i, row in enumerate(table.rows, start=1)]
 
 
@@ -73,17 +66,15 @@ def reasons(table: DHTable) -> list[str]:
 
 
 def signs_html(arm: Arm) -> str:
-    head, *rows = sign_pattern(arm)
-    tag = lambda name, cells: "".join(f"<{name}>{cell}</{name}>" for cell in cells)  # noqa: E731
-    body = "".join(f"<tr>{tag('td', row)}</tr>" for row in rows)
-    return (f'<div class="kl-signs"><table aria-label="Signs"><thead><tr>{tag("th", head)}</tr>'
-            f"</thead><tbody>{body}</tbody></table><div><p>The signs of the table's numbers; "
+    signs = printed.html(printed.sign_rows(arm.links), '<table aria-label="Signs">')
+    return (f'<div class="kl-signs">{signs}<div>'
+            "<p>The signs of the table's numbers; "
             "* marks the joint variable, a sign behind it its offset.</p>"
             "<p>Right tables of one arm may differ in signs: a z axis that points the other way "
             "changes the signs of α beside it.</p></div></div>")
 
 
-def compared_html(arm: Arm, reading: Reading, at: str, png: str) -> str:
+def compared_html(arm: Arm, reading: OtherReading, at: str, png: str) -> str:
     """What the same numbers are in the other convention, and how the same arm is written there."""
     other = reading.numbers.convention
     verdict = ("Both readings are the same mechanism." if reading.same else

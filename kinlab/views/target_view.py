@@ -10,6 +10,7 @@ import numpy as np
 
 from ..arms import inputs
 from ..arms.arm import Arm
+from ..arms.joints import first_pose, one_pose
 from ..arms.kinematics import forward_kinematics
 from ..arms.motions import TRANSLATE
 from ..drawing.arm_scene import arm_scene, is_planar
@@ -26,13 +27,11 @@ from ..drawing.scene import (
     at,
     circle,
 )
-from ..ik.ik import inverse_kinematics
+from ..ik.solve import inverse_kinematics
 from .arm_view import (
-    first_pose,
     joint_knob,
     joints_text,
     layers,
-    one_pose,
     pose_table,
     switches,
     tour,

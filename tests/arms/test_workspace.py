@@ -1,5 +1,6 @@
 """The workspace by sampling: its shape, its evenness, its memory, its pictures."""
 import io
+import sys
 import tracemalloc
 from math import pi
 
@@ -10,7 +11,7 @@ from nbformat.v4 import new_code_cell, new_notebook
 from test_kinematics import course
 
 import kinlab as kl
-from kinlab.arms import progress
+from kinlab.arms import workspace
 from kinlab.arms.kinematics import reach
 from kinlab.arms.workspace import r_sequence
 from kinlab.course.notebooks import steady
@@ -101,45 +102,71 @@ class Terminal(io.StringIO):
     def isatty(self):
         return True
 
+    def line(self):
+        """What is to be read on it in the end: a return begins the line anew."""
+        line = []
+        for text in self.getvalue().split("\r"):
+            line[:len(text)] = text
+        return "".join(line).rstrip()
+
 
 def test_a_bar_appears_in_a_terminal_and_goes(monkeypatch):
     monkeypatch.setattr("sys.stderr", Terminal())
-    monkeypatch.setattr(progress, "PATIENCE", -1)
+    monkeypatch.setattr(workspace, "PATIENCE", -1)
     kl.workspace(kl.robots.two_link(), 20_000)
-    text = progress.sys.stderr.getvalue()
-    assert "workspace |#####                    | 20 %" in text and text.endswith("\r\x1b[K")
+    text = sys.stderr.getvalue()
+    assert "workspace:  20%|##        | 4096/20000" in text and sys.stderr.line() == ""
+    assert text.endswith("\r") and "\n" not in text
 
 
 def test_no_bar_for_short_work_or_without_a_terminal(monkeypatch, capsys):
-    monkeypatch.setattr(progress, "PATIENCE", -1)
+    monkeypatch.setattr(workspace, "PATIENCE", -1)
     kl.workspace(kl.robots.two_link(), 20_000)
     assert capsys.readouterr().err == ""
     monkeypatch.setattr("sys.stderr", Terminal())
-    monkeypatch.setattr(progress, "PATIENCE", 60)
+    monkeypatch.setattr(workspace, "PATIENCE", 60)
     kl.workspace(kl.robots.two_link(), 20_000)
-    assert progress.sys.stderr.getvalue() == ""
+    assert sys.stderr.getvalue() == ""
+
+
+def test_no_bar_where_there_is_nothing_to_write_to(monkeypatch):
+    """Python without a console, as under pythonw."""
+    monkeypatch.setattr("sys.stderr", None)
+    monkeypatch.setattr(workspace, "PATIENCE", -1)
+    assert kl.workspace(kl.robots.two_link(), 20_000).points.shape == (20_000, 3)
 
 
 def test_a_bar_goes_when_the_work_is_stopped(monkeypatch):
     monkeypatch.setattr("sys.stderr", Terminal())
-    monkeypatch.setattr(progress, "PATIENCE", -1)
-    with pytest.raises(KeyboardInterrupt), progress.Progress("work") as report:
+    monkeypatch.setattr(workspace, "PATIENCE", -1)
+    with pytest.raises(KeyboardInterrupt), workspace.ProgressBar("work") as report:
         report(1, 3)
         raise KeyboardInterrupt
-    assert "work |########" in progress.sys.stderr.getvalue()
-    assert progress.sys.stderr.getvalue().endswith("\r\x1b[K")
+    assert "work:  33%|###" in sys.stderr.getvalue()
+    assert sys.stderr.getvalue().endswith("\r") and sys.stderr.line() == ""
 
 
 LONG = """import kinlab as kl
-from kinlab.arms import progress
-progress.PATIENCE = {patience}
+from kinlab.arms import workspace
+workspace.PATIENCE = {patience}
 kl.workspace(kl.robots.two_link(), 20_000).points.shape"""
+
+STOPPED = """from kinlab.arms import workspace
+workspace.PATIENCE = {patience}
+try:
+    with workspace.ProgressBar("work") as report:
+        report(1, 3)
+        raise KeyboardInterrupt
+except KeyboardInterrupt:
+    shape = 20000, 3
+shape"""
 
 
 @pytest.mark.parametrize("patience", [-1, 60])
-def test_a_bar_in_a_notebook_leaves_no_trace(patience):
+@pytest.mark.parametrize("work", [LONG, STOPPED], ids=["long", "stopped"])
+def test_a_bar_in_a_notebook_leaves_no_trace(work, patience):
     """What is saved is the same whether the work was long or short, but a bar was there."""
-    code = new_code_cell(LONG.format(patience=patience), id="long")
+    code = new_code_cell(work.format(patience=patience), id="long")
     notebook, shown = new_notebook(cells=[code]), []
     client = NotebookClient(notebook, kernel_name="python3", store_widget_state=False)
     process = client.process_message
@@ -148,6 +175,13 @@ def test_a_bar_in_a_notebook_leaves_no_trace(patience):
     kinds = [msg["msg_type"] for msg in shown]
     opened = [msg for msg in shown if msg["msg_type"] == "comm_open"]
     assert (len(opened) > 0) == (patience < 0) == ("update_display_data" in kinds)
+    left = {msg["content"]["comm_id"]: msg["content"]["data"]["state"]["_model_name"]
+            for msg in opened}
+    for msg in shown:
+        if msg["msg_type"] == "comm_close":
+            del left[msg["content"]["comm_id"]]
+    assert all(name.endswith(("LayoutModel", "StyleModel")) for name in left.values()), left
+    assert kinds.count("display_data") == kinds.count("update_display_data") == (patience < 0)
     for output in steady(notebook).cells[0].outputs:
         assert output.output_type == "execute_result"
         assert output.data == {"text/plain": "(20000, 3)"}

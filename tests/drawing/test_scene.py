@@ -9,8 +9,9 @@ from hypothesis import strategies as st
 from strategies import arms, arms_and_q
 
 import kinlab as kl
+from kinlab.arms.joints import joint_range
 from kinlab.arms.kinematics import axis_frames
-from kinlab.drawing.arm_scene import LAYERS, arm_scene, is_planar, joint_range
+from kinlab.drawing.arm_scene import LAYERS, arm_scene, is_planar
 from kinlab.drawing.scene import SPATIAL, TEXT, Scene, subscript
 
 close = np.testing.assert_allclose

@@ -316,7 +316,7 @@ def test_the_best_of_several_starts_is_kept():
     arm = kl.robots.two_link()
     found = Search(Task(arm, np.ones(6), 1e-6), seen_from(np.eye(4)[None]), np.zeros((2, 1)), 0, 0)
     q = np.array([[1.0, 2, 3, 4], [5, 6, 7, 8]])
-    lanes = Lanes.begin(np.zeros(4, int), np.arange(4), found.views[..., [0] * 4], q)
+    lanes = Lanes.begin(np.zeros(4, int), np.arange(4), found.seen[..., [0] * 4], q)
     lanes.best_error = np.array([3.0, 1, 2, 9])
     found.note(lanes, np.zeros(4, bool))
     assert found.name[0] == 1 and found.error[0] == 1 and found.q[:, 0].tolist() == [2, 6]

@@ -7,7 +7,7 @@ import pytest
 import textbook
 
 import kinlab as kl
-from kinlab.drawing.arm_scene import joint_range
+from kinlab.arms.joints import joint_range
 from kinlab.lessons.dh_recipe import motions_view, parameters_view, rules_view
 
 close = np.testing.assert_allclose

@@ -12,6 +12,7 @@ from hypothesis import strategies as st
 from strategies import arms, arms_and_q
 
 import kinlab as kl
+from kinlab.arms.printed import sign_rows
 from kinlab.tables.as_code import from_code, to_code
 from kinlab.tables.as_csv import from_csv, to_csv
 from kinlab.tables.cells import (
@@ -22,7 +23,7 @@ from kinlab.tables.cells import (
     read_angle,
     read_length,
 )
-from kinlab.tables.other_convention import frame_text, other_reading, sign_pattern
+from kinlab.tables.other_convention import frame_text, other_reading
 from kinlab.tables.table import DHTable, Place, Row
 
 EDITS = int(os.environ.get("KINLAB_EDITS", 4000))
@@ -101,13 +102,17 @@ def test_millimetres_survive_metres(length):
     assert read_length(there) == pytest.approx(length / 1000, rel=1e-15)
 
 
-@pytest.mark.parametrize("text", ["d2 + 100", "d2 - 500", "-d2", "2*d2 + l1/3", "sqrt(d2**2+l1^2)",
-                                  "1/3", "100+50", "d2*l1"])
-def test_expressions_survive_another_unit(text):
+@pytest.mark.parametrize("text, there", [
+    ("-d2", "-d2"), ("2*d2 + l1/3", "2*d2 + l1/3"), ("sqrt(d2**2+l1^2)", "sqrt(d2**2+l1^2)"),
+    ("d2 + 100", "0.6"), ("d2 - 500", "0"), ("1/3", "0.000333333333333333"), ("100+50", "0.15"),
+    ("d2*l1", "0.15"), ("0.1 + 0.2", "0.0003"), ("100*cos(pi/2)", "100*cos(pi/2)")])
+def test_a_formula_in_another_unit_stays_or_becomes_its_value(text, there):
     metres = {name: value / 1000 for name, value in NAMES.items()}
-    there = length_in(text, "mm", "m", NAMES, metres)
+    assert length_in(text, "mm", "m", NAMES, metres) == there
     assert read_length(there, metres) == pytest.approx(read_length(text, NAMES) / 1000, rel=1e-12)
-    assert length_in(there, "m", "mm", metres, NAMES) == text
+    back = length_in(there, "m", "mm", metres, NAMES)
+    assert read_length(back, NAMES) == pytest.approx(read_length(text, NAMES), rel=1e-12)
+    assert there != text or back == text
 
 
 def test_a_length_that_scales_by_itself_stays_as_typed():
@@ -408,7 +413,7 @@ def test_what_moves_is_told_with_its_amount():
 
 
 def test_signs_are_those_of_the_numbers():
-    assert sign_pattern(kl.robots.alpha_ii())[1:] == [
+    assert sign_rows(kl.robots.alpha_ii().links)[1:] == [
         ["1", "*", "+", "0", "−"], ["2", "*", "0", "+", "0"], ["3", "*", "0", "+", "0"],
         ["4", "*", "0", "0", "−"], ["5", "*", "+", "0", "0"]]
 

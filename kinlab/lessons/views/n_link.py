@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from ...arms.arm import Arm, to_modified, to_standard
-from ...arms.kinematics import joint_values
+from ...arms.joints import joint_array
 from ...arms.motions import ROTATE, Y, Z
 from ...drawing.arm_scene import arm_scene, is_planar
 from ...drawing.scene import Scene, at, subscript
@@ -81,7 +81,7 @@ def _finish(arm: Arm, drawn: Scene, sketch: Sketch, q: Any,
             for item in sketch.items]
     scene = replace(sketch.scene(), items=(*under, *over), center=drawn.center,
                     radius=drawn.radius, focus=drawn.focus)
-    start = joint_values(arm, arm.home if q is None else q).tolist()
+    start = joint_array(arm, arm.home if q is None else q).tolist()
     knobs = [replace(joint_knob(arm, i), home=value) for i, value in enumerate(start)]
     return LiveView(scene, knobs, name=sketch.name)
 

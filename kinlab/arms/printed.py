@@ -1,0 +1,73 @@
+"""A DH table on paper: its rows as text, its lines, its HTML, and the pattern of its signs."""
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping, Sequence
+
+from .link import Link
+
+# The columns as each convention's books print them; a modified row i holds a and alpha of i-1.
+HEADS = {"standard": {"theta": "θ", "d": "d", "a": "a", "alpha": "α"},
+         "modified": {"alpha": "α(i-1)", "a": "a(i-1)", "d": "d", "theta": "θ"}}
+_ANGLES = ("theta", "alpha")
+
+
+def number_rows(links: Sequence[Link], convention: str) -> list[list[str]]:
+    """A header and one row per joint: degrees and lengths, with * behind the joint variable."""
+    return _rows(links, HEADS[convention], _number)
+
+
+def sign_rows(links: Sequence[Link]) -> list[list[str]]:
+    """The table with only the signs of its numbers; * marks the joint variable.
+
+    Examples
+    --------
+    >>> from kinlab import robots
+    >>> for row in sign_rows(robots.exam_2018().links):
+    ...     print(*row)
+    i θ d a α
+    1 * + 0 +
+    2 *+ + + +
+    3 + * 0 0
+    """
+    return _rows(links, HEADS["standard"], _sign)
+
+
+def lines(rows: Sequence[Sequence[str]]) -> list[str]:
+    """Rows of text, one under the other, each column as wide as it must be."""
+    widths = [max(map(len, column)) for column in zip(*rows)]
+    return ["  ".join(cell.rjust(w) for cell, w in zip(row, widths)) for row in rows]
+
+
+def html(rows: Sequence[Sequence[str]], start: str = "<table>") -> str:
+    """Rows of HTML as a table that begins with `start`; the first row is its header."""
+    head, *body = (_tagged(row, cell) for row, cell in zip(rows, ["th", *["td"] * len(rows)]))
+    return f"{start}<thead>{head}</thead><tbody>{''.join(body)}</tbody></table>"
+
+
+def _tagged(row: Sequence[str], tag: str) -> str:
+    return f"<tr>{''.join(f'<{tag}>{cell}</{tag}>' for cell in row)}</tr>"
+
+
+def _rows(links: Sequence[Link], heads: Mapping[str, str],
+          cell: Callable[[Link, str, int], str]) -> list[list[str]]:
+    return [["i", *heads.values()]] + [
+        [str(i), *(cell(link, parameter, i) for parameter in heads)]
+        for i, link in enumerate(links, start=1)]
+
+
+def _number(link: Link, parameter: str, i: int) -> str:
+    value = getattr(link, parameter) + 0.0  # no -0
+    text = f"{math.degrees(value):.6g}°" if parameter in _ANGLES else f"{value:.6g}"
+    if parameter != link.variable:
+        return text
+    variable = f"{HEADS['standard'][parameter]}{i}*"
+    return f"{variable} {'-' if value < 0 else '+'} {text.lstrip('-')}" if value else variable
+
+
+def _sign(link: Link, parameter: str, _: int) -> str:
+    value = getattr(link, parameter)
+    sign = "+" if value > 0 else "−" if value < 0 else "0"
+    if parameter != link.variable:
+        return sign
+    return f"*{sign}" if value else "*"
