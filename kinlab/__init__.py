@@ -13,7 +13,7 @@ _NAMES = {
     "arms.arm": ("Arm", "to_modified", "to_standard"),
     "arms.kinematics": ("forward_kinematics", "jacobian", "link_frames"),
     "arms.transforms": ("apply", "compose", "homogeneous", "inverse", "rotation_2d", "rotation_x",
-                   "rotation_y", "rotation_z", "translation"),
+                        "rotation_y", "rotation_z", "translation"),
     "arms.singularity": ("manipulability", "rank", "singular_directions"),
     "ik.solve": ("InverseBatch", "InverseResult", "inverse_kinematics", "inverse_kinematics_batch"),
     "arms.workspace": ("Workspace", "workspace"),
@@ -25,8 +25,7 @@ _NAMES = {
     "arms.euler": ("ZYZAngles", "zyz_angles", "zyz_matrix"),
     "views.arm_view": ("ArmView",),
     "views.target_view": ("TargetView",),
-    "views.jacobian_view": ("velocity_view",),
-    "views.solve_picture": ("solve_view",),
+    "views.studies": ("solve_view", "velocity_view"),
     "views.table_editor": ("DHTableEditor",),
 }
 _HOME = {name: module for module, names in _NAMES.items() for name in names}

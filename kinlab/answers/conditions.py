@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 
 from ..arms.arm import Arm
-from ..arms.joints import joint_array
+from ..arms.joints import joint_array, joint_limits
 from ..arms.kinematics import forward_kinematics
 from .judges import Judge, Slip, first_of, is_stub
 from .verdict import BLANK, CORRECT, NOT_YET, Verdict
@@ -91,8 +91,7 @@ def one_pose(arm: Arm, words: str) -> Reader:
 def within_limits(arm: Arm) -> Condition:
     """All joints within their limits."""
     def condition(q: np.ndarray) -> str:
-        for i, (value, link) in enumerate(zip(q, arm.links), start=1):
-            low, high = link.limits
+        for i, (value, low, high) in enumerate(zip(q, *joint_limits(arm)), start=1):
             if (excess := max(low - value, value - high)) > 1e-9:
                 return (f"Joint {i} is at {degrees(value):.6g}°, {degrees(excess):.4g}° beyond its "
                         f"limits, {degrees(low):.6g}° and {degrees(high):.6g}°.")

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from functools import wraps
 from numbers import Real
-from typing import Any
+from typing import Any, TypeVar
 
 import numpy as np
 
@@ -21,8 +21,9 @@ from .verdict import BLANK, CORRECT, NOT_YET, Verdict
 SAME_NUMBER = 1e-6
 
 Judge = Callable[[Any], Verdict]
-Case = Mapping[str, float]
+Case = Mapping[str, object]  # arguments by their names: numbers, or lists of numbers
 Slip = tuple[str, Callable]
+Wrong = TypeVar("Wrong")
 
 
 class _Unreadable(Exception):
@@ -215,7 +216,8 @@ def _close(a: np.ndarray, b: Any) -> np.ndarray:
     return np.isclose(a, b, rtol=SAME_NUMBER, atol=SAME_NUMBER)
 
 
-def first_of(slips: Sequence[Slip], matches: Callable) -> list[str]:
+def first_of(slips: Sequence[tuple[str, Wrong]],
+             matches: Callable[[Wrong], bool]) -> list[str]:
     """The message of the first slip that matches, as a list of one, or an empty list."""
     return next(([message] for message, wrong in slips if matches(wrong)), [])
 

@@ -26,7 +26,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import pairwise
-from typing import NamedTuple
+from typing import NamedTuple, TypeVar
 
 import numpy as np
 
@@ -39,6 +39,7 @@ SIXTH_DECIMAL = 5e-7
 ROUNDING = 1e-9  # of the longest length
 FLAT = 1e-6  # a smaller singular value or slope is rounding noise
 MOST_PATTERNS, MOST_COMPARED = 4096, 256
+Angles = TypeVar("Angles", float, np.ndarray)
 WORDS = {"alpha": "twist", "theta": "angle", "a": "length", "d": "offset"}
 
 
@@ -199,12 +200,12 @@ def turned_bend(bend: float, signs: np.ndarray, k: int, m: int) -> np.ndarray:
     return np.arctan2(both * signs[..., k] * np.sin(bend), both * np.cos(bend))
 
 
-def differ(a: np.ndarray, b: float) -> np.ndarray:
+def differ(a: Angles, b: float) -> np.ndarray | np.bool_:
     """Whether angles differ, whole turns aside."""
     return np.abs(wrapped(a - b)) > SIXTH_DECIMAL
 
 
-def wrapped(angle: np.ndarray) -> np.ndarray:
+def wrapped(angle: Angles) -> Angles:
     """The angle between -pi and pi."""
     return np.angle(np.exp(1j * angle))
 
@@ -229,10 +230,10 @@ def own_row(i: int, parameter: str, convention: str) -> int:
 def apart(a: float, b: float) -> tuple[str, str]:
     """Two values as texts, with as many digits as it takes to tell them apart."""
     for digits in (6, 9, 12):
-        texts = tuple(f"{round(value, 12) + 0.0:.{digits}g}" for value in (a, b))
-        if texts[0] != texts[1]:
+        one, other = (f"{round(value, 12) + 0.0:.{digits}g}" for value in (a, b))
+        if one != other:
             break
-    return texts
+    return one, other
 
 
 class Match(NamedTuple):
@@ -261,7 +262,7 @@ def matched(answer: Axes, layout: Layout) -> Match:
     bars = (flipped[order][:, None] * slopes.reshape(2 * answer.n, -1)) @ layout.fixed
     cost, deviation = _lengths(answer, reference, gaps, bars)
     score = off + 0.6 * cost
-    best = np.argmin(score)
+    best = int(np.argmin(score))
     lengths = [deviation(best)] if cost[best] else []
     return Match(signs[score == score[best]], [*_angles(answer, layout, signs[best]), *lengths],
                  bool(off[best] + cost[best] < 2))
@@ -322,7 +323,7 @@ def _angles(answer: Axes, layout: Layout, signs: np.ndarray) -> list[Deviation]:
         if differ(answer.twist(i), expected):
             deviations.append(Deviation("alpha", i, answer.arm.links[i].alpha, expected))
     for (k, m), bend in layout.bends.items():
-        expected, got = turned_bend(bend, signs, k, m), answer.bend(k, m)
+        expected, got = float(turned_bend(bend, signs, k, m)), answer.bend(k, m)
         if differ(got, expected):
             deviations.append(_bent(answer, layout, range(k, m + 1), wrapped(expected - got)))
     return deviations

@@ -14,7 +14,7 @@ from ..arms import inputs
 from ..arms.arm import Arm
 from ..arms.joints import joint_array
 from ..arms.kinematics import axis_frames, forward_kinematics, link_frames
-from ..arms.link import REVOLUTE
+from ..arms.link import REVOLUTE, with_numbers
 from .verdict import CORRECT, NOT_YET, Verdict
 
 # In rad, and of the drawing's size: frames typed with four decimals pass (each entry is off by
@@ -230,7 +230,7 @@ def _table(drawing: _Drawing) -> Arm:
     links, home = [], []
     for link, row in zip(drawing.reference.links, rows):
         home.append(row.pop(link.variable))
-        links.append(replace(link, **({"theta": 0.0, "d": 0.0} | row), limits=None))
+        links.append(with_numbers(replace(link, theta=0.0, d=0.0, limits=None), **row))
     reference = drawing.reference
     return Arm(links, name=reference.name, unit=reference.unit, base=poses[0], home=home)
 

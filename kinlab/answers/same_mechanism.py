@@ -6,7 +6,7 @@ from math import degrees, pi, sin
 
 import numpy as np
 
-from ..arms.arm import CONVENTIONS, Arm, _check_arm
+from ..arms.arm import CONVENTIONS, Arm, check_arm
 from .mechanism import (
     SIXTH_DECIMAL,
     WORDS,
@@ -61,8 +61,8 @@ def same_mechanism(answer: Arm, reference: Arm, *, strict: bool = False) -> Verd
     >>> same_mechanism(to_modified(arm), arm)
     ✓ Correct. The same mechanism. Chosen differently: modified DH instead of standard.
     """
-    _check_arm(answer)
-    _check_arm(reference)
+    check_arm(answer)
+    check_arm(reference)
     if other := _other_joints(answer, reference):
         return other
     mine, theirs = axes_of(answer), axes_of(reference)
@@ -123,7 +123,8 @@ def _shown(off: Deviation, expected: float | None = None) -> tuple[str, str]:
     """Both values, with as many digits as it takes to tell them apart."""
     values = off.got, off.expected if expected is None else expected
     if off.parameter in ("alpha", "theta"):
-        return tuple(f"{text}°" for text in apart(*map(degrees, values)))
+        got, right = apart(*map(degrees, values))
+        return f"{got}°", f"{right}°"
     return apart(*values)
 
 
@@ -200,7 +201,7 @@ def _praise(mine: Axes, theirs: Axes, answer: Arm, reference: Arm, signs: np.nda
         chosen.append(f"{answer.convention} DH instead of {reference.convention}")
     chosen += [f"{_z(answer, i)} points the other way: your q{i + 1} "
                f"{'turns' if mine.turns[i] else 'slides'} backwards"
-               for i in np.flatnonzero(signs < 0)]
+               for i in np.flatnonzero(signs < 0).tolist()]
     chosen += [f"x{i + 1} points the other way"
                for i in np.flatnonzero(_sides(mine, theirs, signs[None])[0] < 0)]
     chosen += [f"q{i + 1} counts from a zero {apart(abs(degrees(gap)), np.inf)[0]}° away"
@@ -210,8 +211,8 @@ def _praise(mine: Axes, theirs: Axes, answer: Arm, reference: Arm, signs: np.nda
                if mine.turns[i] and _unequal(mine.d[i] * signs[i], theirs.d[i], mine)]
     chosen += _other_ends(mine, theirs)
     if not chosen:
-        zeros = ([(link.theta, link.d) for link in axes.arm.links] for axes in (mine, theirs))
-        chosen = ["where some q count from"] * (not np.allclose(*zeros))
+        here, there = ([(link.theta, link.d) for link in axes.arm.links] for axes in (mine, theirs))
+        chosen = ["where some q count from"] * (not np.allclose(here, there))
     if not chosen:
         return "The same mechanism, with the same frames."
     more = [f"and {len(chosen) - 4} more"] if len(chosen) > 4 else []

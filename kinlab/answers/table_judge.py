@@ -18,7 +18,8 @@ import numpy as np
 
 from ..arms.arm import Arm, to_modified, to_standard
 from ..arms.kinematics import forward_kinematics
-from ..arms.link import REVOLUTE, revolute
+from ..arms.link import REVOLUTE, revolute, with_numbers
+from ..arms.motions import Numbers
 from .judges import Judge, first_of, is_stub
 from .same_mechanism import same_mechanism
 from .verdict import BLANK, NOT_YET, Fault, Verdict
@@ -69,7 +70,7 @@ def column(arm: Arm, name: str) -> np.ndarray:
     return np.array([getattr(link, name) for link in arm.links])
 
 
-def with_columns(arm: Arm, **columns: Sequence[float]) -> Arm:
+def with_columns(arm: Arm, **columns: Numbers) -> Arm:
     """The arm with some columns of its table replaced: a slip.
 
     Examples
@@ -78,9 +79,9 @@ def with_columns(arm: Arm, **columns: Sequence[float]) -> Arm:
     >>> column(with_columns(robots.two_link(), a=[2, 3]), "a")
     array([2., 3.])
     """
-    return replace(arm, links=[
-        replace(link, **{name: float(numbers[i]) for name, numbers in columns.items()})
-        for i, link in enumerate(arm.links)])
+    return replace(arm, links=tuple(
+        with_numbers(link, **{name: float(numbers[i]) for name, numbers in columns.items()})
+        for i, link in enumerate(arm.links)))
 
 
 def _same_numbers(answer: Arm, wrong: Arm) -> bool:

@@ -9,6 +9,7 @@ import numpy as np
 
 from ..arms.arm import Arm
 from ..arms.kinematics import forward_kinematics
+from ..arms.link import with_numbers
 from .mechanism import (
     SIXTH_DECIMAL,
     WORDS,
@@ -97,8 +98,8 @@ def _sign(mine: Axes, theirs: Axes, convention: str) -> Verdict | None:
 def _with(arm: Arm, i: int, name: str, value: float) -> Arm:
     """A standard arm with one number of its table replaced."""
     links = list(arm.links)
-    links[i] = replace(links[i], **{name: value})
-    return replace(arm, links=links)
+    links[i] = with_numbers(links[i], **{name: value})
+    return replace(arm, links=tuple(links))
 
 
 def _out_of_place(mine: Axes, theirs: Axes) -> tuple[list[int], np.ndarray, np.ndarray]:

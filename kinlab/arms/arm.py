@@ -115,7 +115,7 @@ def to_modified(arm: Arm) -> Arm:
     >>> [link.a for link in to_modified(arm).links]
     [0.0, 2.0]
     """
-    _check_arm(arm)
+    check_arm(arm)
     if arm.convention == "modified":
         return arm
     last = arm.links[-1]
@@ -138,7 +138,7 @@ def to_standard(arm: Arm) -> Arm:
     >>> [link.a for link in to_standard(arm).links]
     [2.0, 0.0]
     """
-    _check_arm(arm)
+    check_arm(arm)
     if arm.convention == "standard":
         return arm
     first = arm.links[0]
@@ -191,7 +191,7 @@ def _home(q: Any, n: int) -> np.ndarray:
     return home
 
 
-def _check_arm(arm: Any) -> None:
+def check_arm(arm: Any) -> None:
     if not isinstance(arm, Arm):
         raise ValueError(f"arm: expected a kinlab Arm, got {inputs.brief(arm)}; "
                          "build one with Arm([revolute(...), ...])")

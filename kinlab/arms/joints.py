@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from . import inputs
-from .arm import Arm, _check_arm
+from .arm import Arm, check_arm
 from .link import REVOLUTE
 
 Range = tuple[float, float]
@@ -17,7 +17,7 @@ WHOLE_TURN: Range = (-math.pi, math.pi)
 
 def joint_array(arm: Arm, q: Any, name: str = "q") -> np.ndarray:
     """Joint values as an array (..., n), or a ValueError that says what was wrong."""
-    _check_arm(arm)
+    check_arm(arm)
     who = f"arm '{arm.name}'" if arm.name else "this arm"
     q = inputs.real_array(name, q, f"{arm.n} joint values in radians or {arm.unit}")
     if q.shape[-1:] != (arm.n,):

@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from .arm import Arm, _check_arm
+from .arm import Arm, check_arm
 from .joints import joint_array
 from .link import REVOLUTE, Link
 from .motions import ROTATE, Frame, Motion, Values, along, cross, difference, matrix, stack
@@ -153,7 +153,7 @@ def reach(arm: Arm) -> float:
 
     Infinite if a prismatic joint has no limits.
     """
-    _check_arm(arm)
+    check_arm(arm)
     links = sum(math.hypot(link.a, _longest(link)) for link in arm.links)
     return links + float(np.linalg.norm(arm.tool[:3, 3]))
 

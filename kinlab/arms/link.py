@@ -1,7 +1,7 @@
 """A link: one row of a DH table, with the joint that drives it."""
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 from . import inputs
@@ -89,6 +89,11 @@ def prismatic(*, theta: float = 0, d: float = 0, a: float = 0, alpha: float = 0,
     (0.0, 0.4)
     """
     return Link(PRISMATIC, theta, d, a, alpha, limits, name)
+
+
+def with_numbers(link: Link, **numbers: float) -> Link:
+    """The row with some of theta, d, a and alpha replaced."""
+    return replace(link, **numbers)  # type: ignore[arg-type]  # mypy sees no names in a **dict
 
 
 def _limits(limits: Any) -> tuple[float, float]:

@@ -19,6 +19,7 @@ import numpy as np
 
 # The values of the joints, or the components of a vector: numbers, batches or expressions.
 Values = Sequence[Any] | np.ndarray
+Numbers = Sequence[float] | np.ndarray  # one pose or one vector, in plain numbers
 
 X, Y, Z = 0, 1, 2
 ROTATE, TRANSLATE = "rotate", "translate"

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from . import inputs
-from .arm import Arm, _check_arm
+from .arm import Arm, check_arm
 from .kinematics import jacobian, typical_length
 
 
@@ -97,7 +97,7 @@ def singular_directions(arm: Arm, q: Any, rows: Sequence[int] = range(6), *,
     >>> singular_directions(arm, arm.home).shape
     (6, 2)
     """
-    _check_arm(arm)
+    check_arm(arm)
     J = _in_reaches(arm, inputs.shaped("q", q, (arm.n,), f"{arm.n} joint values"))[_rows(rows)]
     U, sizes, _ = np.linalg.svd(J)
     return U[:, np.sum(sizes > _threshold(tolerance, sizes[0])):]

@@ -14,7 +14,7 @@ from typing import Any
 import sympy as sp
 
 from . import inputs, notation
-from .arm import Arm, _check_arm
+from .arm import Arm, check_arm
 from .kinematics import tool_and_twists
 from .link import REVOLUTE
 from .motions import ROTATE, Motion, X, Y, Z, follow, keep_whole, matrix
@@ -97,7 +97,7 @@ def closed_form(arm: Arm, start: int = 0, stop: int | None = None, *,
     >>> closed_form(robots.alpha_ii(), 3, 5, lengths="symbols").entries[0][3]
     '-d5*S4'
     """
-    _check_arm(arm)
+    check_arm(arm)
     joints, motions, values = _exact_chain(arm, *_stretch(arm, start, stop), lengths)
     frame = follow(motions, joints)
     return ClosedForm(sp.Matrix(keep_whole(matrix(frame).astype(object))[0]), joints, values)
@@ -123,7 +123,7 @@ def jacobian_form(arm: Arm, *, lengths: str = "numbers") -> ClosedForm:
     >>> jacobian_form(robots.two_link(), lengths="symbols").entries[0]
     ('-a1*S1 - a2*S12', '-a2*S12')
     """
-    _check_arm(arm)
+    check_arm(arm)
     joints, motions, values = _exact_chain(arm, 0, arm.n + 2, lengths)
     _, twists = tool_and_twists(motions, joints)
     columns = [[_pythagoras(component) for component in twist] for twist in twists]

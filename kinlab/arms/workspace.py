@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 
 from . import inputs
-from .arm import Arm, _check_arm
+from .arm import Arm, check_arm
 from .joints import WHOLE_TURN, joint_limits
 from .kinematics import CHUNK
 from .link import PRISMATIC
@@ -136,7 +136,7 @@ def workspace(arm: Arm, samples: int = 100_000, *, seed: int = 0,
     >>> bool(abs(np.linalg.norm(reached.points, axis=1).max() - 2) < 1e-3)
     True
     """
-    _check_arm(arm)
+    check_arm(arm)
     samples, seed = inputs.whole("samples", samples, 1), inputs.whole("seed", seed, 0)
     if any(link.kind == PRISMATIC and link.limits is None for link in arm.links):
         raise ValueError("arm: expected limits on every prismatic joint, got one without; "

@@ -11,6 +11,7 @@ from collections import Counter
 from pathlib import Path
 
 HERE = Path(__file__).parent
+_DARK = re.compile(r"\[data-jp-theme-light=\"false\"] (:is\(.*?\n\})", re.DOTALL)
 _IMPORT = re.compile(r'^import \{([^}]*)\} from "\./([\w.]+)";\n', re.MULTILINE)
 _EXPORT = re.compile(r"^export (?!default\b)", re.MULTILINE)
 _DOCS = re.compile(r"^ */\*\*.*?\*/\n", re.MULTILINE | re.DOTALL)
@@ -32,6 +33,18 @@ def script(entry: str, folder: Path = HERE) -> str:
     """One classic script that leaves no names behind and may stand inside a page."""
     plain = _EXPORT.sub("", module(entry, folder))
     return f"(() => {{\n{plain}}})();\n".replace("</script", r"<\/script")
+
+
+def style(*names: str) -> str:
+    """Style sheets joined into one. As text: a widget would watch a file for changes for ever."""
+    return "\n".join((HERE / name).read_text(encoding="utf-8") for name in names)
+
+
+def page_style() -> str:
+    """The style sheet of a plain page; where the system is dark its inks are dark JupyterLab's."""
+    sheets = style("live.css", "page.css")
+    (inks,) = _DARK.findall(sheets)
+    return f"{sheets}\n@media screen and (prefers-color-scheme: dark) {{\n{inks}\n}}\n"
 
 
 def _in_order(entry: str, folder: Path) -> list[str]:

@@ -47,7 +47,7 @@ function kept(value, { low, high, unit }) {
  */
 export function reach(scene, q, goal) {
   const { motions, radius, target } = scene, { tip, joints: n } = target;
-  const joints = scene.joints.slice(0, n);
+  const joints = scene.knobs.slice(0, n);
   const sizes = joints.map(({ unit }) => unit === "°" ? 1 : radius);
   /** @type {(at: number[]) => Look} */
   const look = (at) => {
@@ -135,7 +135,7 @@ export function follower(scene, joints, tell) {
     to(place) {
       const q = joints.read().slice();
       knobs.forEach((knob, k) => {
-        const { low, high } = scene.joints[knob];
+        const { low, high } = scene.knobs[knob];
         q[knob] = clip(place[k], low, high);
       });
       solve(q);

@@ -1,7 +1,10 @@
 // Elements of a page, buttons, and numbers as print has them.
 
 /** @typedef {(pressed: HTMLButtonElement) => void} Action */
-/** @typedef {[text: string, title: string, action: Action, ...more: unknown[]]} Button */
+/**
+ * @typedef {[text: string, title: string, action: Action, attributes?: Record<string, unknown>]}
+ *   Button
+ */
 
 /**
  * An element with attributes, those that are absent or false left out, and children.
@@ -27,7 +30,8 @@ export function make(tag, attributes = {}, ...children) {
  * @param {Record<string, unknown>} attributes
  */
 export function button(text, title, action, attributes = {}) {
-  const node = make("button", { type: "button", class: "kl-button", title, ...attributes }, text);
+  const node = make("button", { type: "button", class: "kl-button", title,
+    "data-lm-suppress-shortcuts": "true", ...attributes }, text);   // a notebook has keys, too
   node.addEventListener("click", () => action(node));
   return node;
 }
@@ -40,8 +44,23 @@ export function toolbar(groups) {
   return make("div", { class: "kl-toolbar", role: "toolbar", "aria-label": "View" },
     ...groups.map(([label, ...buttons]) =>
       make("span", { class: "kl-group", role: "group", "aria-label": label },
-        ...buttons.map(([text, title, action]) => button(text, title, action)))));
+        ...buttons.map((parts) => button(...parts)))));
 }
+
+/**
+ * Set an element's text, if it is another: a page need not be laid out for what it shows.
+ * @param {Element} node
+ * @param {string} text
+ */
+export function write(node, text) {
+  if (node.textContent !== text) node.textContent = text;
+}
+
+/**
+ * A number as people write it: no more digits than it needs.
+ * @param {number} value
+ */
+export const tidy = (value) => Number(value.toPrecision(6));
 
 /**
  * A number with so many decimals, a true minus sign and no negative zero.

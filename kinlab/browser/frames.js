@@ -1,11 +1,14 @@
 // Where frames go: the recurrence of kinlab/arms/motions.py at the knobs' values.
 
+import { clip } from "./steps.js";
+
 /** @import { Elementary, Frame, Motion, Triple, Velocity } from "./types.js" */
 
-export const ROTATE = 0, VELOCITY = 2;
+export const ROTATE = "rotate";
+const VELOCITY = "velocity";
 
 /** @type {(since: number) => number} */
-const run = (since) => Math.min(1, Math.max(0, since));
+const run = (since) => clip(since, 0, 1);
 
 /**
  * What a list holds at 0, 1, 2, ..., and straight between them.
@@ -13,7 +16,7 @@ const run = (since) => Math.min(1, Math.max(0, since));
  * @param {number} place
  */
 function between(track, place) {
-  const at = Math.max(0, Math.min(track.length - 1, place)), k = Math.floor(at);
+  const at = clip(place, 0, track.length - 1), k = Math.floor(at);
   return track[k] + (at - k) * ((track[k + 1] ?? track[k]) - track[k]);
 }
 
@@ -22,10 +25,10 @@ function between(track, place) {
  * @param {Elementary} motion
  * @param {number[]} q
  */
-export function travel([, , amount, joint, gain, start, , scrub, track], q) {
+export function travel({ amount = 0, joint, gain = 1, start, scrub, track }, q) {
+  const share = scrub ? run(q[scrub.knob] - scrub.start) : 1;
+  if (joint == null) return share * amount;
   if (track) return between(track, q[joint]);
-  const share = scrub ? run(q[scrub[0]] - scrub[1]) : 1;
-  if (joint < 0) return share * amount;
   return share * (amount + gain * (start == null ? q[joint] : run(q[joint] - start)));
 }
 
@@ -37,15 +40,16 @@ export function travel([, , amount, joint, gain, start, , scrub, track], q) {
 export function frames(motions, q) {
   /** @type {Frame[]} */
   const all = [[[1, 0, 0], [0, 1, 0], [0, 0, 1], [0, 0, 0]]];
-  for (const motion of motions) {
-    all.push(motion[0] === VELOCITY ? velocityFrame(motions, all, motion) : moved(motion, all, q));
-  }
+  motions.forEach((motion, k) => {
+    all.push(motion.kind === VELOCITY ? velocityFrame(motions, all, motion)
+      : moved(motion, all[motion.parent ?? k], q));
+  });
   return all;
 }
 
-/** @type {(motion: Elementary, all: Frame[], q: number[]) => Frame} */
-function moved(motion, all, q) {
-  const [kind, axis] = motion, value = travel(motion, q), frame = all[motion[6]].slice();
+/** @type {(motion: Elementary, parent: Frame, q: number[]) => Frame} */
+function moved(motion, parent, q) {
+  const { kind, axis } = motion, value = travel(motion, q), frame = parent.slice();
   if (kind === ROTATE) {
     const i = (axis + 1) % 3, j = (axis + 2) % 3, c = Math.cos(value), s = Math.sin(value);
     const [u, v] = [frame[i], frame[j]];
@@ -65,7 +69,7 @@ export const cross = ([a, b, c], [d, e, f]) => [b * f - c * e, c * d - a * f, a 
 
 /**
  * Velocity of the origin of frame `of` for a unit rate of each of n knobs, as in
- * kinlab/drawing/velocity.py.
+ * kinlab/drawing/scene.py.
  * @param {Motion[]} motions
  * @param {Frame[]} all
  * @param {number} of
@@ -75,9 +79,9 @@ export function velocities(motions, all, of, n) {
   const columns = Array.from({ length: n }, () => [0, 0, 0]), tip = all[of][3];
   for (let k = of, parent; k > 0; k = parent) {
     const motion = /** @type {Elementary} */ (motions[k - 1]);   // no motion begins at a velocity
-    const [kind, axis, , joint, gain] = motion, direction = all[k][axis];
-    parent = motion[6];
-    if (joint < 0) continue;
+    const { kind, axis, joint, gain = 1 } = motion, direction = all[k][axis];
+    parent = motion.parent ?? k - 1;
+    if (joint == null) continue;
     const arm = tip.map((e, i) => e - all[k][3][i]);
     const turning = kind === ROTATE ? cross(direction, arm) : direction;
     columns[joint] = columns[joint].map((e, i) => e + gain * turning[i]);
@@ -89,11 +93,11 @@ export function velocities(motions, all, of, n) {
  * The end of a Jacobian's column, or the ellipsoid of all velocities.
  * @type {(motions: Motion[], all: Frame[], velocity: Velocity) => Frame}
  */
-function velocityFrame(motions, all, [, of, rates, joint]) {
+function velocityFrame(motions, all, { of, rates, joint }) {
   const tip = all[of][3];
   const columns = velocities(motions, all, of, rates.length)
     .map((column, i) => column.map((e) => e * rates[i]));
-  if (joint >= 0) return [...all[0].slice(0, 3), tip.map((e, k) => e + columns[joint][k])];
+  if (joint != null) return [...all[0].slice(0, 3), tip.map((e, k) => e + columns[joint][k])];
   return [...root([0, 1, 2].map((i) => [0, 1, 2].map((j) =>
     columns.reduce((sum, column) => sum + column[i] * column[j], 0)))), tip];
 }

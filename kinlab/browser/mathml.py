@@ -2,7 +2,10 @@
 from __future__ import annotations
 
 import re
+from xml.etree import ElementTree
 
+_SPACE = "http://www.w3.org/1998/Math/MathML"
+ElementTree.register_namespace("", _SPACE)
 # Space about sin and cos, and none between a sign and what it belongs to.
 _OPERAND, _FUNCTION = r"(</(?:mi|mn|msub|msup|msubsup|mrow)>)", "((?:<msup>)?<mi>(?:sin|cos)</mi>)"
 _TYPOGRAPHY = (
@@ -11,7 +14,7 @@ _TYPOGRAPHY = (
     (r"(<mo[^>]*>(?!\)|\]|&#x00029;|&#x0005D;|&#x02026;|&#x022EF;)[^<]*</mo>)"
      "<mo>(&#x02212;|&#x0002B;)</mo>", r'\1<mo form="prefix">\2</mo>'),
     (r"<mo[^>]*>(\||&#x0007C;)</mo>", r'<mo lspace="0" rspace="0">\1</mo>'),
-    # Few phones have a font with tall brackets: page.css draws those of matrices.
+    # Few phones have a font with tall brackets: live.css draws those of matrices.
     (r"<mo[^>]*>(?:\[|&#x0005B;)</mo><mtable>(.*?)</mtable><mo[^>]*>(?:\]|&#x0005D;)</mo>",
      r'<mtable class="kl-matrix">\1</mtable>'),
 )
@@ -35,3 +38,27 @@ def mathematics(latex: str, *, display: bool = False) -> str:
 def typeset(text: str) -> str:
     """A text with formulas between dollar signs, with those as MathML."""
     return re.sub(r"\$([^$]+)\$", lambda found: mathematics(found[1]), text)
+
+
+def named(latex: str, joints: int) -> str:
+    """A matrix in closed form as MathML whose parts carry names, with its LaTeX as text beside it.
+
+    Rows have `data-row`, entries `data-entry` (row and column, from 1), sines and cosines
+    `data-factor` and the numbers of the joints in them, `data-joints`. With more than nine joints
+    of an arm, indices are separated by commas.
+
+    >>> '<msub data-factor="S23" data-joints="2 3">' in named("S_{23}", joints=6)
+    True
+    """
+    math = ElementTree.fromstring(mathematics(latex, display=True))
+    for i, row in enumerate(math.iter(f"{{{_SPACE}}}mtr"), start=1):
+        row.set("data-row", str(i))
+        for j, entry in enumerate(row, start=1):
+            entry.set("data-entry", f"{i},{j}")
+    for factor in math.iter(f"{{{_SPACE}}}msub"):
+        letter, index = ("".join(part.itertext()) for part in factor)
+        if letter in ("C", "S"):
+            factor.set("data-factor", letter + index)
+            factor.set("data-joints", " ".join(re.findall(r"\d+" if joints > 9 else r"\d", index)))
+    math.set("alttext", latex)
+    return ElementTree.tostring(math, encoding="unicode")

@@ -1,75 +1,50 @@
 """Live views in plain pages: one file, no kernel, nothing loaded from anywhere.
 
-The picture, its data and its script are those of the notebook; host_page.js brings sliders of its
-own.
+The picture, its data, its controls and its script are those of the notebook.
 """
 from __future__ import annotations
 
 import json
 import os
-import re
 from collections.abc import Iterable
-from html import escape
 from pathlib import Path
 from typing import Any
 
 from ..arms import inputs
 from . import bundle
-from .mathml import mathematics, typeset  # noqa: F401 - where callers look for them
 
-HERE = Path(__file__).parent
-_PAGE = """<!doctype html>
-<html lang="en">
-<head>
-<meta charset="utf-8">
-<meta name="viewport" content="width=device-width, initial-scale=1">
-<meta name="generator" content="kinlab">
-<title>{title}</title>
-<style>
-{style}</style>
-</head>
-<body class="kl-page">
-<h1>{title}</h1>
-{body}
-<p class="kl-foot">Drag a slider, or the picture to turn it. The arrow keys do the same; wheel or
-two fingers zoom. Made with kinlab; this page needs no network.</p>
-<script>
-{script}</script>
-</body>
-</html>
-"""
+_HERE = Path(__file__).parent
 
 
-def script(host: str) -> str:
-    """The live picture's JavaScript, and what ties it to its host: one module."""
-    return bundle.module(f"host_{host}.js")
-
-
-def classic_script() -> str:
-    """The script of a plain page. It is no module: browsers load none from a disk."""
-    return bundle.script("host_page.js")
-
-
-def style() -> str:
-    """The style sheet of a plain page; the pictures' dark inks are those of dark JupyterLab."""
-    live, own = ((HERE / f"{name}.css").read_text(encoding="utf-8") for name in ("live", "page"))
-    dark = re.search(r"\[data-jp-theme-light=\"false\"] (\.kl-view \{.*?\n\})", live, re.DOTALL)[1]
-    return f"{live}{own}\n@media screen and (prefers-color-scheme: dark) {{\n{dark}\n}}\n"
-
-
-def part(svg: str, data: dict, text: str, below: Iterable[str] = (), *,
-         address: bool = False) -> str:
+def part(svg: str, data: dict, text: str, formula: str = "", *, address: bool = False) -> str:
     """One view as HTML, to stand in any page that has the script and the style.
 
     `svg` is the still picture, `data` the scene and the values `q` to begin with, `text` says the
-    state in words, `below` is HTML; with `address` the page's address holds the joint values.
+    state in words, `formula` is MathML; with `address` the page's address holds the joint values.
     """
-    plain = json.dumps(data, ensure_ascii=False, separators=(",", ":")).replace("<", r"\u003c")
-    named = escape(f"Picture of the arm. {text}")
-    wide = " kl-wide" if data["scene"]["wide"] else ""
-    return (f'<div class="kl-view{wide}"{" data-address" if address else ""}>\n'
-            f'<div class="kl-still" role="img" aria-label="{named}">{svg}</div>\n'
-            f'{"".join(below)}\n<script type="application/json">{plain}</script>\n</div>')
+    plain = json.dumps(_short(data), ensure_ascii=False, separators=(",", ":"))
+    plain = plain.replace("<", r"\u003c")  # no text in it can end the script
+    return _filled("view.html.j2", svg=svg, text=text, formula=formula, data=plain,
+                   wide=data["scene"]["wide"], address=address)
+
+
+def _filled(template: str, **parts: Any) -> str:
+    """A template with its parts; what is not marked safe in it is escaped."""
+    from jinja2 import Environment, FileSystemLoader  # only who writes a page waits for it
+
+    templates = Environment(loader=FileSystemLoader(_HERE), autoescape=True)
+    return templates.get_template(template).render(parts)
+
+
+def _short(data: Any) -> Any:
+    """The same data in short: 1 for 1.0, 0.975 for 0.9750000000000001. A page holds thousands."""
+    if isinstance(data, dict):
+        return {key: _short(value) for key, value in data.items()}
+    if isinstance(data, (list, tuple)):
+        return [_short(value) for value in data]
+    if not isinstance(data, float):
+        return data
+    return int(data) if data.is_integer() else float(f"{data:.13g}")
 
 
 def hidden(svg: str, gids: Iterable[str]) -> str:
@@ -79,12 +54,13 @@ def hidden(svg: str, gids: Iterable[str]) -> str:
     return svg
 
 
-def save(path: Any, title: str, body: str) -> Path:
-    """Write one page, replacing a file of this name."""
+def save(path: Any, title: str, view: str) -> Path:
+    """Write the page of one view, replacing a file of this name."""
     target = _target(path)
-    text = _PAGE.format(title=escape(title), style=style(), body=body, script=classic_script())
+    text = _filled("page.html.j2", title=title, view=view, style=bundle.page_style(),
+                   script=bundle.script("host_page.js"))
     try:
-        target.write_text(text, encoding="utf-8")
+        target.write_bytes(text.encode("utf-8", "replace"))  # a name may hold half a character
     except (OSError, ValueError) as error:  # ValueError: a name with a zero byte
         reason = getattr(error, "strerror", None) or error
         raise ValueError(f"path: cannot write {str(target)!r} ({reason}); choose a folder of "

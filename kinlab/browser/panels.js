@@ -1,26 +1,34 @@
 // What stands under the picture and follows it: the tool's pose, formulas, a target's error.
-// @ts-nocheck
 
-import { make, number } from "./dom.js";
+import { make, number, write } from "./dom.js";
 import { ROTATE, dot, inRoom, travel } from "./frames.js";
+import { clip } from "./steps.js";
 
-/** The matrix of the tip's frame: axes and origin as columns, or only `rows` axes as columns. */
+/** @import { Amount, Elementary, Entry, Frame, Part, Pose, Scene, Solved } from "./types.js" */
+/** @import { TargetScene, Vector, Volume } from "./types.js" */
+
+/**
+ * The matrix of the tip's frame: axes and origin as columns, or only `rows` axes as columns.
+ * @param {Pose} pose
+ */
 export function poseTable(pose) {
   const rows = pose.rows ?? pose.columns.length - 1;   // 3 in space, 2 in the plane
   const whole = pose.columns.length > rows;            // with an origin and a last row
   const sources = [...Array(rows).keys(), 3];       // the frame's axes, then its origin
-  const style = (k) => ({ class: k < rows ? `kl-column-${"xyz"[k]}` : "kl-column-o" });
+  const style = (/** @type {number} */ k) =>
+    ({ class: k < rows ? `kl-column-${"xyz"[k]}` : "kl-column-o" });
   const head = make("tr", {}, ...pose.columns.map(({ name, title }, k) =>
     make("th", { ...style(k), scope: "col", title },
          k === rows && pose.unit ? `${name} (${pose.unit})` : name)));
-  const cells = pose.columns.map(() => pose.columns.map((_, k) => make("td", style(k))));
+  const cells = pose.columns.map((_, i) => pose.columns.map((__, k) =>   // named as in formulas
+    make("td", { ...style(k), "data-entry": `${i + 1},${k + 1}` })));
   const table = make("table", { class: "kl-pose" }, make("caption", {}, pose.title),
     make("thead", {}, head),
-    make("tbody", {}, ...cells.map((row) => make("tr", {}, ...row))));
+    make("tbody", {}, ...cells.map((row, i) => make("tr", { "data-row": i + 1 }, ...row))));
   cells[rows]?.forEach((cell, k) => { cell.textContent = k < rows ? "0" : "1"; });
-  const update = (frame) => {
+  const update = (/** @type {Frame} */ frame) => {
     cells.slice(0, rows).forEach((row, i) => row.forEach((cell, k) => {
-      cell.textContent = number(frame[sources[k]][i], k < rows ? 3 : pose.decimals);
+      write(cell, number(frame[sources[k]][i], k < rows ? 3 : pose.decimals));
     }));
   };
   const text = () => cells.slice(0, rows).map((row) => row[rows].textContent).join(", ");
@@ -28,17 +36,25 @@ export function poseTable(pose) {
   return { node: table, update, text: said };
 }
 
-/** Formulas under the picture, whose vectors and amounts follow the knobs. */
+/**
+ * Formulas under the picture, whose vectors and amounts follow the knobs.
+ * @param {Scene} scene
+ */
 export function readingLines({ readings, decimals, motions }) {
-  const box = make("div", { class: "kl-readings" }), spans = [];
-  for (const { text, vectors } of readings) {
-    const [first, ...rest] = text.split("{}"), line = make("div", {}, first);
+  /** @type {[HTMLElement, Part][]} */
+  const spans = [];
+  const box = make("div", { class: "kl-readings" });
+  for (const { name, text, parts } of readings) {
+    const [first, ...rest] = text.split("{}");
+    const line = make("div", { "data-reading": name }, first);
     rest.forEach((words, k) => {
-      spans.push([make("span", { class: "kl-number" }), vectors[k]]);
-      line.append(spans.at(-1)[0], words);
+      const span = make("span", { class: "kl-number" });
+      spans.push([span, parts[k]]);
+      line.append(span, words);
     });
     box.append(line);
   }
+  /** @type {(part: Vector, all: Frame[]) => string} */
   const vector = ({ tail, head, frame, size, scale }, all) => {
     const [from, to] = [tail, head].map(([k, ...local]) => inRoom(all[k], local));
     const arrow = to.map((e, k) => e - from[k]);
@@ -46,22 +62,32 @@ export function readingLines({ readings, decimals, motions }) {
       .map((axis) => number(scale * dot(axis, arrow), decimals));
     return size > 1 ? `(${parts.join(", ")})` : parts[0];
   };
-  const amount = (motion, q) => motion[0] === ROTATE
-    ? number(travel(motion, q) * 180 / Math.PI, 1) : number(travel(motion, q), decimals);
+  /** @type {(part: Amount, all: Frame[], q: number[]) => string} */
+  const amount = ({ step }, all, q) => {
+    const motion = /** @type {Elementary} */ (motions[step - 1]), way = travel(motion, q);
+    return motion.kind === ROTATE ? number(way * 180 / Math.PI, 1) : number(way, decimals);
+  };
+  /** @type {(part: Volume, all: Frame[]) => string} */
   const volume = ({ ellipsoid, size, scale }, all) =>
     number(all[ellipsoid].slice(0, size).reduce((v, side, k) => v * side[k], scale), decimals);
-  const entry = ({ knob, texts }, q) =>
-    texts[Math.max(0, Math.min(texts.length - 1, Math.round(q[knob])))];
+  /** @type {(part: Entry, all: Frame[], q: number[]) => string} */
+  const entry = ({ knob, texts }, all, q) =>
+    texts[clip(Math.round(q[knob]), 0, texts.length - 1)];
+  /** @type {Record<Part["kind"], (part: any, all: Frame[], q: number[]) => string>} */
+  const read = { vector, amount, volume, entry };
+  /** @type {(all: Frame[], q: number[]) => void} */
   const update = (all, q) => {
-    for (const [span, part] of spans) {
-      span.textContent = part.step ? amount(motions[part.step - 1], q)
-        : part.texts ? entry(part, q) : part.ellipsoid ? volume(part, all) : vector(part, all);
-    }
+    for (const [span, part] of spans) write(span, read[part.kind](part, all, q));
   };
   return { node: box, update, text: () => [...box.children].map((l) => l.textContent).join("; ") };
 }
 
-/** What the error of a chased target is, and what the last solve took. */
+/**
+ * What the error of a chased target is, and what the last solve took.
+ * @param {TargetScene} scene
+ * @param {Frame[]} all
+ * @param {Solved | null} solved
+ */
 export function missed(scene, all, solved) {
   const { frame, tip, unit } = scene.target, gap = all[frame][3].map((v, k) => v - all[tip][3][k]);
   const error = Math.hypot(...gap), far = error > 1e-4 * scene.radius;

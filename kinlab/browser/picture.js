@@ -1,18 +1,24 @@
-// The picture: frames projected as in kinlab/drawing/figure.py set the attributes of the SVG that
-// matplotlib drew, and nearer groups are put over farther ones.
+// The picture, drawn from the scene alone: the frames of frames.js, projected as in
+// kinlab/drawing/figure.py, become paths, and nearer groups are put over farther ones.
 
 import { frames, inRoom } from "./frames.js";
 
-/** @import { Camera, Frame, Item, Scene, Shape, Triple } from "./types.js" */
+/** @import { Camera, Frame, Item, Paint, Scene, Shape, Triple } from "./types.js" */
 /** @typedef {Item & { group: SVGGElement, node: SVGElement }} Drawn */
+
+/**
+ * Cosine and sine of a camera's azimuth, then of its elevation.
+ * @type {(camera: Camera) => number[]}
+ */
+const turned = ({ azimuth, elevation }) => [azimuth, elevation]
+  .map((angle) => angle * Math.PI / 180).flatMap((angle) => [Math.cos(angle), Math.sin(angle)]);
 
 /**
  * The picture's right and up as directions of the room.
  * @param {Camera} camera
  */
 export function screenAxes(camera) {
-  const [a, e] = [camera.azimuth, camera.elevation].map((angle) => angle * Math.PI / 180);
-  const [ca, sa, ce, se] = [Math.cos(a), Math.sin(a), Math.cos(e), Math.sin(e)];
+  const [ca, sa, ce, se] = turned(camera);
   return [[-sa, ca, 0], [-se * ca, -se * sa, ce]];
 }
 
@@ -23,8 +29,7 @@ export function screenAxes(camera) {
  * @returns {(point: Triple) => Triple}
  */
 export function projector(scene, camera) {
-  const [a, e] = [camera.azimuth, camera.elevation].map((angle) => angle * Math.PI / 180);
-  const [ca, sa, ce, se] = [Math.cos(a), Math.sin(a), Math.cos(e), Math.sin(e)];
+  const [ca, sa, ce, se] = turned(camera);
   const [[right, down], scale] = [scene.place, scene.scale * camera.zoom];
   return (p) => {
     const [x, y, z] = p.map((v, k) => v - scene.center[k]);
@@ -89,6 +94,38 @@ export const PATHS = { line: polyline, trace: polyline, face, arrow, solid: hull
 const TRACE_LENGTH = 4000;
 const PAPER = { azimuth: -90, elevation: 90, zoom: 1 };   // x to the right, y up
 
+const SVG = "http://www.w3.org/2000/svg";
+
+/**
+ * An element of an SVG picture.
+ * @template {keyof SVGElementTagNameMap} Tag
+ * @param {Tag} tag
+ * @param {Record<string, unknown>} attributes
+ * @param {(Node | string)[]} children
+ */
+function drawn(tag, attributes, ...children) {
+  const node = document.createElementNS(SVG, tag);
+  for (const [name, value] of Object.entries(attributes)) node.setAttribute(name, String(value));
+  node.append(...children);
+  return node;
+}
+
+const OPEN = ["line", "trace"];                     // shapes that are never filled
+
+/**
+ * An item with its group, painted and still without its place.
+ * @param {Item} item
+ * @param {Paint} paint
+ * @returns {Drawn}
+ */
+function shown(item, paint) {
+  const { gid, shape, style, text } = item;
+  const node = shape === "text" ? drawn("text", { fill: paint.fill ?? paint.stroke ?? "" }, text)
+    : drawn("path", { ...paint, fill: OPEN.includes(shape) ? "none" : paint.fill ?? "none" });
+  const group = drawn("g", { id: gid, class: `kl-${style} kl-shape-${shape}` }, node);
+  return { ...item, group, node };
+}
+
 export class Picture {
   /**
    * Where the tip has been, for the trace.
@@ -107,28 +144,14 @@ export class Picture {
 
   order = "";
 
-  /**
-   * @param {SVGSVGElement} svg
-   * @param {Scene} scene
-   */
-  constructor(svg, scene) {
-    this.svg = svg;
+  /** @param {Scene} scene */
+  constructor(scene) {
     this.scene = scene;
-    this.items = scene.items.map((item) => this.found(item));
+    this.items = scene.items.map((item) => shown(item, scene.paints[item.style]));
     this.bodies = this.items.filter((item) => item.body >= 0);
-    this.parent = /** @type {Element} */ (this.items[0].group.parentNode);
-    this.reset(Object.keys(scene.presets)[0]);
-  }
-
-  /**
-   * @param {Item} item
-   * @returns {Drawn}
-   */
-  found(item) {
-    const group = /** @type {SVGGElement} */ (this.svg.getElementById(item.gid));
-    const node = group.querySelector(item.shape === "text" ? "text" : "path");
-    group.classList.add(`kl-${item.style}`, `kl-shape-${item.shape}`);
-    return { ...item, group, node: /** @type {SVGElement} */ (node) };
+    this.svg = drawn("svg", { viewBox: `0 0 ${scene.size.join(" ")}`, role: "img" },
+                     ...this.items.map((item) => item.group));
+    this.reset(scene.preset);
   }
 
   /**
@@ -184,7 +207,6 @@ export class Picture {
   set({ shape, node }, points) {
     if (shape !== "text") return node.setAttribute("d", PATHS[shape](points));
     const [x, y] = points[0];
-    node.removeAttribute("transform");
     node.setAttribute("x", x.toFixed(2));
     node.setAttribute("y", (y + 4).toFixed(2));    // half the height of the letters
   }
@@ -209,6 +231,6 @@ export class Picture {
     const order = sorted.map((item) => item.body).join();
     if (order === this.order) return;
     this.order = order;
-    this.parent.append(...sorted.map((item) => item.group));
+    this.svg.append(...sorted.map((item) => item.group));
   }
 }

@@ -1,5 +1,7 @@
 // Movement between poses.
 
+import { clip } from "./steps.js";
+
 /** @import { Drive } from "./types.js" */
 
 /**
@@ -29,7 +31,7 @@ export class Mover {
     if (matchMedia("(prefers-reduced-motion: reduce)").matches) duration = 0;
     let from = joints.read(), next = 0, began = performance.now();
     const step = (/** @type {number} */ now) => {
-      const t = duration ? Math.max(0, Math.min(1, (now - began) / duration)) : 1;
+      const t = duration ? clip((now - began) / duration, 0, 1) : 1;
       const to = poses[next], s = smooth(t);
       this.write(joints, t < 1 ? from.map((q, i) => q + s * (to[i] - q)) : to);
       if (t === 1) {

@@ -2,6 +2,7 @@
 // resets; a target can be taken hold of.
 
 import { projector, screenAxes } from "./picture.js";
+import { clip } from "./steps.js";
 
 /** @import { Picture } from "./picture.js" */
 /** @import { TargetScene, Triple } from "./types.js" */
@@ -24,11 +25,11 @@ export function orbit(box, picture, redraw, resetView, grab) {
     if (flat) return;
     const camera = picture.camera;
     camera.azimuth -= right;
-    camera.elevation = Math.max(-90, Math.min(90, camera.elevation + up));
+    camera.elevation = clip(camera.elevation + up, -90, 90);
     redraw();
   };
   const zoom = (/** @type {number} */ factor) => {
-    picture.camera.zoom = Math.max(0.4, Math.min(8, picture.camera.zoom * factor));
+    picture.camera.zoom = clip(picture.camera.zoom * factor, 0.4, 8);
     redraw();
   };
   /** @type {Map<number, number[]>} */

@@ -2,7 +2,7 @@
 // browser tells it each edit and shows the state that comes back. What is being typed is never
 // touched.
 
-import { make } from "./dom.js";
+import { make, write } from "./dom.js";
 import { choose, lowered, press, typed } from "./table_parts.js";
 import { fill, store } from "./table_store.js";
 
@@ -80,7 +80,7 @@ export class Editor {
   }
 
   /** @returns {TableState} */
-  get state() { return this.model.get("state"); }
+  get state() { return this.model.get("cells"); }
 
   /**
    * Ask Python for an edit.
@@ -171,7 +171,7 @@ export class Editor {
       "The arm below is the last one that could be read.";
     const remark = /** @type {Element} */ (this.element.querySelector(".kl-said"));
     const text = said || wrong || "";
-    if (remark.textContent !== text) remark.textContent = text;
+    write(remark, text);
     remark.classList.toggle("kl-warns", Boolean(text));
   }
 
@@ -244,7 +244,7 @@ export class Editor {
     return [make("div", { class: "kl-ask", role: "group", "aria-label": "Change of convention" },
       press(`Read the same numbers as ${other}`, "Read", answer("read_as")),
       press(`Convert to ${other}: the same arm`, "Convert", answer("converted_to"),
-            { disabled: wrong ? "" : null }),
+            { disabled: wrong }),
       press("Cancel", "Cancel", answer("")),
       ...(wrong ? [make("span", {}, "To convert, correct the marked cells first.")] : []))];
   }
@@ -288,11 +288,11 @@ export class Editor {
     });
     const tools = make("td", { class: "kl-tools" },
       press("↑", `Move row ${i} up (Alt+↑)`, () => this.move(row.key, -1),
-            { tabindex: "-1", disabled: i === 1 ? "" : null }),
+            { tabindex: "-1", disabled: i === 1 }),
       press("↓", `Move row ${i} down (Alt+↓)`, () => this.move(row.key, 1),
-            { tabindex: "-1", disabled: i === last ? "" : null }),
+            { tabindex: "-1", disabled: i === last }),
       press("✕", `Remove row ${i} (Alt+Delete)`, () => this.remove(row.key),
-            { tabindex: "-1", disabled: last === 1 ? "" : null }));
+            { tabindex: "-1", disabled: last === 1 }));
     return [
       make("tr", {}, make("th", { scope: "row", title: row.name || `joint ${i}` }, String(i)),
         make("td", {}, choose(`Type of joint ${i}`, kinds, row.kind,
@@ -418,9 +418,14 @@ export class Editor {
  */
 const placeOf = (node) => (node instanceof HTMLElement && node.dataset.at || "").split(" ");
 
-/** @param {{ model: Model, el: HTMLElement }} host */
-function render({ model, el }) {
-  const editor = new Editor(model, el);
+/**
+ * Show a model's table in an element.
+ * @param {Model} model
+ * @param {HTMLElement} element
+ * @returns {() => void} ends it
+ */
+export function showTable(model, element) {
+  const editor = new Editor(model, element);
   const show = () => {
     const { last } = editor;
     if (editor.after != null && last.key !== editor.after) {   // the row asked for has come
@@ -430,8 +435,6 @@ function render({ model, el }) {
     editor.show();
   };
   editor.show();
-  model.on("change:state", show);
-  return () => model.off("change:state", show);
+  model.on("change:cells", show);
+  return () => model.off("change:cells", show);
 }
-
-export default { render };

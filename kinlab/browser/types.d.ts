@@ -15,14 +15,27 @@ export type Frame = Triple[];
 /** A point of a frame: the frame's number, then x, y, z there. */
 export type Point = number[];
 
-/** A turn (0) about, or a slide (1) along, one of the frame's own axes. */
-export type Elementary = [
-  kind: 0 | 1, axis: number, amount: number, joint: number, gain: number, start: number | Nothing,
-  parent: number, scrub: [knob: number, from: number] | Nothing, track: number[] | Nothing,
-];
+/** A turn about, or a slide along, one of the frame's own axes; what is usual is left out. */
+export interface Elementary {
+  kind: "rotate" | "translate";
+  axis: number;
+  amount?: number;
+  joint?: number | Nothing;
+  gain?: number;
+  start?: number | Nothing;
+  parent?: number | Nothing;
+  scrub?: { knob: number; start: number } | Nothing;
+  track?: number[] | Nothing;
+}
 
-/** A column of the Jacobian (joint >= 0), or the ellipsoid of all velocities, of a frame's origin. */
-export type Velocity = [kind: 2, of: number, rates: number[], joint: number];
+/** A column of the Jacobian, or without a joint the ellipsoid of all velocities, of an origin. */
+export interface Velocity {
+  kind: "velocity";
+  of: number;
+  rates: number[];
+  joint?: number | Nothing;
+  parent?: Nothing;
+}
 
 export type Motion = Elementary | Velocity;
 
@@ -41,20 +54,32 @@ export interface Item {
   paper: boolean;
 }
 
-export interface Vector { tail: Point; head: Point; frame: number; size: number; scale: number }
-export interface Amount { step: number }
-export interface Volume { ellipsoid: number; size: number; scale: number }
-export interface Entry { knob: number; texts: string[] }
+/** How a style is painted: attributes of SVG. */
+export interface Paint extends Record<string, unknown> { fill?: string; stroke?: string }
+
+export interface Vector {
+  kind: "vector";
+  tail: Point;
+  head: Point;
+  frame: number;
+  size: number;
+  scale: number;
+}
+export interface Amount { kind: "amount"; step: number }
+export interface Volume { kind: "volume"; ellipsoid: number; size: number; scale: number }
+export interface Entry { kind: "entry"; knob: number; texts: string[] }
+export type Part = Vector | Amount | Volume | Entry;
 
 /** A formula under the picture, with a {} in its text for each part. */
 export interface Reading {
   name: string;
   text: string;
-  vectors: (Vector & Amount & Volume & Entry)[];
+  parts: Part[];
 }
 
 /** What one slider drives, in the scene's units; shown divided by `scale`. */
 export interface Knob {
+  name: string;
   label: string;
   title: string;
   unit: string;
@@ -97,6 +122,7 @@ export interface Scene {
   name: string;
   motions: Motion[];
   items: Item[];
+  paints: Record<string, Paint>;
   readings: Reading[];
   tip: number;
   center: Triple;
@@ -109,7 +135,7 @@ export interface Scene {
   presets: Record<string, [azimuth: number, elevation: number]>;
   preset: string;
   decimals: number;
-  joints: Knob[];
+  knobs: Knob[];
   layers: Layer[];
   pose: Pose | Nothing;
   target: Target | Nothing;
@@ -126,13 +152,14 @@ export interface Camera { azimuth: number; elevation: number; zoom: number }
 
 /** Values of the knobs in the scene's units: to read and write, and to hear of. */
 export interface Drive { read(): number[]; write(q: number[]): void }
-export interface Joints extends Drive { listen(callback: () => void): () => void }
+export interface Joints extends Drive {
+  listen(callback: () => void): () => void;
+  /** Names of the joints whose sliders a hand holds: nobody else moves them meanwhile. */
+  gripped?: Set<string>;
+}
 
 /** What a solve came to; the error is in the scene's length. */
 export interface Solved { q: number[]; steps: number; error: number }
-
-/** A part of the page below the picture, and its words for a screen reader. */
-export interface Panel { node: HTMLElement; text(): string }
 
 /** What a view tells its next one, so that it is looked at in the same way. */
 export interface Looks {
@@ -140,10 +167,11 @@ export interface Looks {
   preset: string;
   camera: Camera;
   shown: Record<string, boolean>;
+  controls: import("./controls.js").Controls;
 }
 
 /** A view that stands in a page. */
-export interface Live { note(text: string): void; freeze(): void; dismount(): Looks }
+export interface Live { note(text: string): void; leave(): Looks; dismount(): void }
 
 /** The model that anywidget gives. */
 export interface Model {
@@ -151,10 +179,13 @@ export interface Model {
   set(name: string, value: unknown): void;
   save_changes(): void;
   send(content: unknown): void;
-  on(event: string, callback: (...what: any[]) => void): void;
-  off(event: string, callback: (...what: any[]) => void): void;
-  widget_manager: any;
+  on(event: string, callback: () => void): void;
+  off(event: string, callback: () => void): void;
+  widget_manager?: any;
 }
+
+/** What anywidget gives to show a widget. */
+export interface Host { model: Model; el: HTMLElement }
 
 /** A cell of the table editor: what is typed, why it cannot be read, and what it reads as. */
 export interface Cell { text: string; error: string; reads?: string; unit: string }

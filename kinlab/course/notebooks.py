@@ -104,7 +104,10 @@ def _refresh(path: Path, check: bool) -> bool:
     fresh = run(saved, progress=True)
     changed = differs(saved, fresh)
     if not check:
-        nbformat.write(fresh, path)
+        try:
+            nbformat.write(fresh, path)
+        except OSError as error:
+            raise ValueError(f"PATHS: cannot write {str(path)!r} ({error.strerror})") from None
     word = ("differs" if check else "updated") if changed else "unchanged"
     print(f"\r  {word}{' ' * 20}", file=sys.stderr)
     return changed and check

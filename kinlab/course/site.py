@@ -22,7 +22,7 @@ from nbconvert.filters.highlight import Highlight2HTML
 from nbconvert.filters.markdown_mistune import IPythonRenderer, MarkdownWithMath
 from pygments.formatters import HtmlFormatter
 
-from ..browser import page
+from ..browser import bundle, mathml
 from . import pieces
 from .handout import FOLDER, writing
 from .notebooks import run
@@ -83,10 +83,10 @@ class _Renderer(IPythonRenderer):
     """Markdown as HTML: formulas as MathML, links to notebooks as links to their pages."""
 
     def inline_math(self, body: str) -> str:
-        return page.mathematics(body)
+        return mathml.mathematics(body)
 
     def block_math(self, body: str) -> str:
-        return f'<span class="kl-mathematics">{page.mathematics(body, display=True)}</span>'
+        return f'<span class="kl-mathematics">{mathml.mathematics(body, display=True)}</span>'
 
     def heading(self, text: str, level: int, **attributes: Any) -> str:
         name = re.sub(r"\W+", "-", re.sub(r"<[^>]+>|&\w+;", "", text)).strip("-").lower()
@@ -103,7 +103,7 @@ class _Renderer(IPythonRenderer):
         return super().list_item(_tied(text))
 
     def table(self, text: str) -> str:
-        return f'<div class="kl-table"><table>{_tied(text)}</table></div>'
+        return f'<div class="kl-site-table"><table>{_tied(text)}</table></div>'
 
 
 def exporter() -> TemplateExporter:
@@ -126,10 +126,12 @@ def build(folder: Path, lessons: Sequence[Path] | None = None, progress: bool = 
     Raises
     ------
     ValueError
-        If the folder cannot be made.
+        If the folder cannot be made or written to.
     """
-    with writing("OUT", folder):
+    with writing("OUT", folder):  # before any lesson is run
         folder.mkdir(parents=True, exist_ok=True)
+        (folder / "kinlab.js").write_text(bundle.script("host_page.js"), encoding="utf-8")
+        (folder / "kinlab.css").write_text(style(), encoding="utf-8")
     paths = lessons or sorted(FOLDER.glob("*.ipynb"))
     names = "\n".join(cell.source for cell in nbformat.read(paths[0], as_version=4).cells)
     course = [Lesson.read(path, names) for path in paths]
@@ -142,8 +144,6 @@ def build(folder: Path, lessons: Sequence[Path] | None = None, progress: bool = 
                map=True)
     _write(export, folder / "index.html", course_map(course), title="Course map",
            next=course[0])
-    (folder / "kinlab.js").write_text(page.classic_script(), encoding="utf-8")
-    (folder / "kinlab.css").write_text(style(), encoding="utf-8")
     if progress:
         print(f"\r  {len(course)} lessons: open {folder / 'index.html'}{' ' * 20}", file=sys.stderr)
 
@@ -179,8 +179,8 @@ def style() -> str:
     light, dark = (HtmlFormatter(style=name).get_style_defs(".highlight")
                    for name in ("default", "github-dark"))
     own = (_HERE / "site.css").read_text(encoding="utf-8")
-    return (f"{page.style()}\n{light}\n@media screen and (prefers-color-scheme: dark) {{\n{dark}\n"
-            f"}}\n{own}")
+    return (f"{bundle.page_style()}\n{light}\n"
+            f"@media screen and (prefers-color-scheme: dark) {{\n{dark}\n}}\n{own}")
 
 
 def _output(output: nbformat.NotebookNode) -> str:
@@ -191,7 +191,7 @@ def _output(output: nbformat.NotebookNode) -> str:
         return (f'<img alt="{escape(alt)}" '
                 f'src="data:image/png;base64,{data["image/png"].strip()}">')
     if "text/latex" in data:
-        return f'<div class="kl-mathematics">{page.typeset(data["text/latex"])}</div>'
+        return f'<div class="kl-mathematics">{mathml.typeset(data["text/latex"])}</div>'
     return data.get("text/html") or f'<pre>{escape(data.get("text/plain", ""))}</pre>'
 
 

@@ -1,9 +1,10 @@
-"""The textbook drawing of an arm: joints, links, frames, axes, ground, trace and home."""
+"""The textbook drawing of an arm: joints, links, frames, axes, ground, trace and ghost."""
 from __future__ import annotations
 
 import math
 from collections.abc import Iterable
 from itertools import pairwise
+from typing import Any
 
 import numpy as np
 
@@ -11,10 +12,10 @@ from ..arms.arm import Arm
 from ..arms.joints import joint_range, joint_ranges
 from ..arms.kinematics import forward_kinematics, link_frames
 from ..arms.link import PRISMATIC, REVOLUTE
-from ..arms.motions import TRANSLATE, Frame, Motion, along, follow, matrix
-from .scene import ARROW, FACE, LINE, SOLID, TEXT, TRACE, Item, Scene, Step, at, subscript
+from ..arms.motions import TRANSLATE, Frame, Motion, Numbers, along, follow, matrix
+from .controls import arm_switches, joint_knobs, subscript, tool_table, tour
+from .scene import ARROW, FACE, LINE, SOLID, TEXT, TRACE, Item, Scene, Step, at
 
-LAYERS = ("frames", "labels", "axes", "trace", "ghost")
 _AXES = np.eye(3)
 _SIDES = 20
 
@@ -26,14 +27,24 @@ def is_planar(arm: Arm) -> bool:
     return revolute and bool(np.allclose(np.abs(frames[:, 2, 2]), 1))
 
 
-def arm_scene(arm: Arm) -> Scene:
-    """The textbook drawing of an arm: joints, links, frames, axes, ground, trace, home."""
-    layout = _Layout(arm)
+def arm_scene(arm: Arm, q: Numbers | None = None, *, show: Any = (),
+              preset: str = "") -> Scene:
+    """The textbook drawing of an arm: joints, links, frames, axes, ground, trace, ghost.
+
+    It begins at joint values `q`, the arm's home if left out; the ghost stays there. The layers
+    in `show` are on.
+    """
+    switches, layout = arm_switches(show), _Layout(arm, q)
     size = layout.radius * 0.9
     items = [*_ground(layout, size), *_ghost(layout), *_links(layout), *_joints(layout),
              *_gripper(layout), *_axes(layout, size), *_triads(layout, size), *_trace(layout)]
-    return Scene(tuple(map(_step, layout.motions)), tuple(items), len(layout.motions),
-                 tuple(map(float, layout.center)), _fit(layout, items))
+    radius, knobs = _fit(layout, items), tuple(joint_knobs(arm))
+    return Scene(
+        tuple(map(_step, layout.motions)), tuple(items), len(layout.motions),
+        tuple(layout.center.tolist()), radius, name=arm.name or "Arm", knobs=knobs,
+        start=None if q is None else tuple(map(float, q)), switches=switches,
+        pose=tool_table(arm, radius), poses=tuple(map(tuple, tour(knobs).tolist())),
+        preset=preset or ("top" if is_planar(arm) else "3-D"))
 
 
 def _step(motion: Motion) -> Step:
@@ -43,8 +54,8 @@ def _step(motion: Motion) -> Step:
 class _Layout:
     """Where the parts of an arm lie along its motions, and how large the drawing is."""
 
-    def __init__(self, arm: Arm) -> None:
-        self.arm = arm
+    def __init__(self, arm: Arm, q: Numbers | None) -> None:
+        self.arm, self.start = arm, arm.home if q is None else np.asarray(q)
         self.motions: list[Motion] = []
         self.joints = [0] * arm.n            # frame just before each joint moves
         self.ends = [self._walk(stretch) for stretch in arm.chain]
@@ -52,8 +63,12 @@ class _Layout:
         self.center, self.radius = _reach(arm, self.poses)
         self.thick = 0.036 * self.radius
         self.bodies = 0
-        self.home = [matrix(f) for f in along(((), *((m,) for m in self.motions)),
-                                              np.clip(arm.home, *joint_ranges(arm)).tolist())]
+        self.home = self.frames(arm.home)
+
+    def frames(self, q: np.ndarray) -> list[np.ndarray]:
+        """The frames along the motions at joint values within their ranges."""
+        within = np.clip(q, *joint_ranges(self.arm)).tolist()
+        return [matrix(f) for f in along(((), *((m,) for m in self.motions)), within)]
 
     def _walk(self, stretch: Iterable[Motion]) -> int:
         """Add the motions of a link, and say at which frame they end."""
@@ -109,7 +124,7 @@ def _ground(layout: _Layout, size: float) -> list[Item]:
 
 
 def _ghost(layout: _Layout) -> list[Item]:
-    origins = [frame[:3, 3] for frame in layout.home]
+    origins = [frame[:3, 3] for frame in layout.frames(layout.start)]
     return [Item("ghost", LINE, "ghost", at(0, *origins), layer="ghost")]
 
 
@@ -131,7 +146,8 @@ def _links(layout: _Layout) -> list[Item]:
 
 
 def _joints(layout: _Layout) -> list[Item]:
-    items, taken = [], []
+    items: list[Item] = []
+    taken: list[np.ndarray] = []
     for i, link in enumerate(layout.arm.links):
         frame, body, t = layout.joints[i], layout.body(), layout.thick
         place = _free_place(layout, i, taken)

@@ -1,50 +1,25 @@
-"""matplotlib's hand: the scene at one pose, as a figure whose parts the browser can move."""
+"""matplotlib's hand: the scene at one pose, as a still figure with named parts."""
 from __future__ import annotations
 
 import io
 import re
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
+from typing import Any
 
 import matplotlib
 import numpy as np
+from matplotlib.artist import Artist
+from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.patches import PathPatch
 from matplotlib.path import Path
 from matplotlib.patheffects import withStroke
 
+from ..arms.motions import Numbers
+from .paints import INK, PAINTS, Paint
 from .scene import ARROW, FACE, SOLID, TEXT, Item, Scene, camera
 
-# Okabe-Ito colours; axes are also labelled, so colour is never the only cue.
-INK, STEEL, PALE, FAINT = "#2b3138", "#7d8b99", "#dfe6ee", "#d5dae0"
-AXIS_COLOURS = {"x": "#D55E00", "y": "#009E73", "z": "#0072B2"}
-_FILLED = dict(edgecolor=INK, linewidth=1.0, joinstyle="round")
-STYLES = {
-    "ground": dict(edgecolor=FAINT, linewidth=0.8),
-    "mesh": dict(edgecolor="#a9bccd", linewidth=1.0),
-    "ghost": dict(edgecolor=FAINT, linewidth=6, joinstyle="round"),
-    "link": dict(edgecolor=STEEL, linewidth=8, joinstyle="round"),
-    "rod": dict(edgecolor=STEEL, linewidth=5, joinstyle="round"),
-    "joint": dict(facecolor="#b4c1cf", **_FILLED),
-    "cap": dict(facecolor=PALE, **_FILLED),
-    "gripper": dict(edgecolor=INK, linewidth=3.2, joinstyle="miter"),
-    "tool": dict(edgecolor="#CC79A7", linewidth=6),
-    "axis": dict(edgecolor=INK, linewidth=1, linestyle=(0, (6, 3, 1.5, 3))),
-    "dashed": dict(edgecolor=STEEL, linewidth=1.4, linestyle=(0, (4, 3))),
-    "arc": dict(edgecolor=INK, linewidth=1.4),
-    "vector": dict(edgecolor=INK, facecolor=INK, linewidth=2, joinstyle="round"),
-    "ellipse": dict(edgecolor="#56B4E9", facecolor=(0.34, 0.71, 0.91, 0.25), linewidth=1.6,
-                    joinstyle="round"),
-    "target": dict(edgecolor="#D55E00", linewidth=2.2),
-    "miss": dict(edgecolor="#D55E00", linewidth=1.4, linestyle=(0, (4, 3))),
-    "first": dict(edgecolor="#D55E00", linewidth=2, joinstyle="round"),
-    "second": dict(edgecolor="#0072B2", linewidth=2, joinstyle="round", linestyle=(0, (5, 2))),
-    "first-dot": dict(edgecolor="#D55E00", linewidth=8),
-    "second-dot": dict(edgecolor="#0072B2", linewidth=8),
-    "trace": dict(edgecolor="#CC79A7", linewidth=1.6, joinstyle="round"),
-} | {axis: dict(edgecolor=colour, facecolor=colour, linewidth=1.8, joinstyle="round")
-     for axis, colour in AXIS_COLOURS.items()}
-# Text stays text, so that it can move; the salt keeps the file the same from run to run.
-_SVG = {"svg.fonttype": "none", "svg.hashsalt": "kinlab", "path.simplify": False}
+_Placed = tuple[Item, np.ndarray]
 
 
 def project(scene: Scene, frames: np.ndarray, view: np.ndarray, item: Item) -> np.ndarray:
@@ -66,7 +41,7 @@ def outline(shape: str, points: np.ndarray) -> np.ndarray | None:
     return {SOLID: _hull, ARROW: _arrow}.get(shape, lambda p: p)(flat)
 
 
-def figure(scene: Scene, q: Sequence[float], preset: str = "3-D",
+def figure(scene: Scene, q: Numbers, preset: str = "3-D",
            show: Sequence[str] = ("frames", "labels")) -> Figure:
     """The scene drawn at joint values `q`, every part carrying its `gid`."""
     width, height = scene.size
@@ -99,14 +74,16 @@ def png(fig: Figure) -> bytes:
     return _save(fig, "png", dpi=108, facecolor="white")
 
 
-def _save(fig: Figure, kind: str, **options) -> bytes:
+def _save(fig: Figure, kind: str, **options: Any) -> bytes:
     buffer = io.BytesIO()
-    with matplotlib.rc_context(_SVG):
+    # Text stays text, in the page's own fonts; the salt keeps the file the same from run to run.
+    with matplotlib.rc_context({"svg.fonttype": "none", "svg.hashsalt": "kinlab",
+                                "path.simplify": False}):
         fig.savefig(buffer, format=kind, **options)
     return buffer.getvalue()
 
 
-def _far_to_near(placed: list) -> list:
+def _far_to_near(placed: list[_Placed]) -> list[_Placed]:
     """What lies under everything first, then whole bodies from far to near."""
     depths: dict[int, list[float]] = {}
     for item, points in placed:
@@ -115,17 +92,25 @@ def _far_to_near(placed: list) -> list:
     return sorted(placed, key=lambda pair: depth[pair[0].body])
 
 
-def _add(ax, item: Item, points: np.ndarray):
+def _add(ax: Axes, item: Item, points: np.ndarray) -> Artist:
     if item.shape == TEXT:
-        colour = AXIS_COLOURS.get(item.style, INK)
-        return ax.text(*points[0, :2], item.text, color=colour, fontsize=11, ha="center",
-                       va="center", family="sans-serif")
+        x, y = points[0, :2]
+        return ax.text(x, y, item.text, color=PAINTS[item.style].get("fill", INK),
+                       fontsize=11, ha="center", va="center", family="sans-serif")
     corners, closed = outline(item.shape, points), item.shape in (FACE, SOLID, ARROW)
-    # A face turned away is an empty path that keeps its paint, for when it turns to the viewer.
+    # A face turned away is an empty path: every item has its part in the figure.
     corners = np.empty((0, 2)) if corners is None else corners
     path = np.vstack([corners, corners[:1]]) if closed else corners
     return ax.add_patch(PathPatch(Path(path, closed=closed and len(path) > 0), fill=closed,
-                                  capstyle="round", clip_on=False, **STYLES[item.style]))
+                                  capstyle="round", clip_on=False, **_patch(PAINTS[item.style])))
+
+
+def _patch(paint: Paint) -> dict:
+    """A paint in matplotlib's words; its dashes are multiples of the line's width."""
+    width = paint["stroke-width"]
+    dash = [length / width for length in paint.get("stroke-dasharray", ())]
+    return {"edgecolor": paint["stroke"], "linewidth": width, "joinstyle": paint["stroke-linejoin"],
+            "facecolor": paint.get("fill", "none"), "linestyle": (0, dash) if dash else "-"}
 
 
 def _arrow(points: np.ndarray) -> np.ndarray:
@@ -143,8 +128,8 @@ def _hull(points: np.ndarray) -> np.ndarray:
     """Convex hull of points in the plane, by Andrew's monotone chain."""
     ordered = sorted(map(tuple, points))
 
-    def half(chain):
-        hull: list = []
+    def half(chain: Iterable[tuple]) -> list[tuple]:
+        hull: list[tuple] = []
         for p in chain:
             while len(hull) > 1 and _turn(hull[-2], hull[-1], p) <= 0:
                 hull.pop()
@@ -154,5 +139,5 @@ def _hull(points: np.ndarray) -> np.ndarray:
     return np.array(half(ordered) + half(reversed(ordered)))
 
 
-def _turn(o, a, b) -> float:
+def _turn(o: tuple, a: tuple, b: tuple) -> float:
     return (a[0] - o[0]) * (b[1] - o[1]) - (a[1] - o[1]) * (b[0] - o[0])

@@ -1,4 +1,4 @@
-"""What is drawn: a list of items that matplotlib draws once and the browser moves.
+"""What is drawn: a list of items that matplotlib draws once and the browser at every frame.
 
 A scene holds elementary motions, which the knobs of a view drive, and items, each made of points
 in the frames along those motions (frame 0 is the room, frame k stands after motion k). Whoever can
@@ -6,23 +6,24 @@ follow the motions and project points can draw the scene at any setting, from an
 """
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
-from dataclasses import asdict, dataclass, field
+from dataclasses import MISSING, asdict, dataclass, field, fields
 from typing import Any
 
 import numpy as np
 
-from ..arms.motions import ROTATE, TRANSLATE, Frame, Motion, matrix
-from .velocity import Velocity
+from ..arms.kinematics import twist
+from ..arms.motions import Frame, Motion, Numbers, matrix
+from .controls import Knob, PoseTable, Switch, Target, decimals
+from .paints import PAINTS
+from .readings import Point, Reading
 
 LINE, FACE, SOLID, ARROW, TEXT, TRACE = "line", "face", "solid", "arrow", "text", "trace"
 SPATIAL = {"3-D": (-60.0, 24.0), "top": (-90.0, 90.0), "front": (-90.0, 0.0), "side": (0.0, 0.0)}
 PLANAR = {"top": (-90.0, 90.0)}
 SIZE = (580.0, 520.0)
 _MARGIN = 10.0  # px: half a name of an axis
-
-Point = tuple[int, float, float, float]
+_FLAT = 1e-12  # of the ellipsoid's size: what is thinner is flat
 
 
 @dataclass(frozen=True)
@@ -44,30 +45,93 @@ class Step:
     scrub: tuple[int, float] | None = None
     track: tuple[float, ...] | None = None
 
-    def value(self, q: Sequence[float]) -> Any:
+    def value(self, q: Numbers) -> float:
         """Angle (rad) or length of the motion at the knobs' values `q`."""
-        if self.track is not None:
-            return float(np.interp(q[self.joint], np.arange(len(self.track)), self.track))
         share = 1.0 if self.scrub is None else _run(q[self.scrub[0]] - self.scrub[1])
         if self.joint is None:
             return share * self.amount
+        if self.track is not None:
+            return float(np.interp(q[self.joint], np.arange(len(self.track)), self.track))
         turned = q[self.joint] if self.start is None else _run(q[self.joint] - self.start)
         return share * (self.amount + self.gain * turned)
 
-    def frame(self, motions: Sequence, frames: Sequence[Frame], q: Sequence[float]) -> Frame:
+    def frame(self, motions: Sequence, frames: Sequence[Frame], q: Numbers) -> Frame:
         """The frame that the motion leads to, given all motions and the frames before it."""
         parent = frames[-1 if self.parent is None else self.parent]
         return parent.moved(Motion(self.kind, self.axis, self.value(q)), ())
 
-    def data(self, k: int) -> list:
-        """Plain data for the browser; the motion begins at frame k unless it says otherwise."""
-        return [int(self.kind == TRANSLATE), self.axis, float(self.amount),
-                -1 if self.joint is None else self.joint, float(self.gain), self.start,
-                k if self.parent is None else self.parent, self.scrub, self.track]
+    def data(self) -> dict:
+        """Plain data for the browser."""
+        scrub = {"scrub": dict(zip(("knob", "start"), self.scrub))} if self.scrub else {}
+        return _told(self) | scrub
+
+
+def _told(motion: Step | Velocity) -> dict:
+    """What the browser has to be told of a motion: fields that are not the usual ones.
+
+    A lesson's picture holds a thousand motions.
+    """
+    values = {each.name: getattr(motion, each.name) for each in fields(motion)}
+    return {each.name: values[each.name] for each in fields(motion)
+            if each.default is MISSING or values[each.name] != each.default}
 
 
 def _run(since: float) -> float:
     return min(1.0, max(0.0, since))
+
+
+@dataclass(frozen=True)
+class Velocity:
+    """A frame that shows how fast the origin of frame `of` moves.
+
+    Every joint i moves at `rates[i]` (rad or length per second). With `joint`, the frame stands
+    where the origin would be after one second at the velocity that this joint gives it now: an
+    arrow from one origin to the other is a column of the Jacobian. Without, its columns L span
+    the velocity ellipsoid: L u for unit vectors u are the velocities of joint rates whose squares,
+    each divided by its rate's, add up to 1. L is lower triangular.
+    """
+
+    of: int
+    rates: tuple[float, ...]
+    joint: int | None = None
+
+    def frame(self, motions: Sequence[Any], frames: Sequence[Frame], q: Numbers) -> Frame:
+        """The frame, given all motions and the frames before it."""
+        columns = velocities(motions, frames, self.of, len(self.rates)) * self.rates
+        tip = matrix(frames[self.of])[:3, 3]
+        if self.joint is not None:
+            return _frame(np.eye(3), tip + columns[:, self.joint])
+        return _frame(_root(columns @ columns.T), tip)
+
+    def data(self) -> dict:
+        """Plain data for the browser."""
+        return {"kind": "velocity", **_told(self)}
+
+
+def velocities(motions: Sequence[Any], frames: Sequence[Frame], of: int, n: int) -> np.ndarray:
+    """Velocity of the origin of frame `of` for a unit rate of each of n knobs, shape (3, n)."""
+    columns, tip = np.zeros((3, n)), matrix(frames[of])[:3, 3]
+    while of > 0:
+        motion, pose = motions[of - 1], matrix(frames[of])
+        if motion.joint is not None:
+            velocity = twist(motion.kind, pose[:3, motion.axis], tip - pose[:3, 3])[:3]
+            columns[:, motion.joint] += motion.gain * np.array(velocity)
+        of = of - 1 if motion.parent is None else motion.parent
+    return columns
+
+
+def _frame(axes: np.ndarray, origin: np.ndarray) -> Frame:
+    return Frame(tuple(map(tuple, axes.T.tolist())), tuple(origin.tolist()))
+
+
+def _root(square: np.ndarray) -> np.ndarray:
+    """The lower triangle L with L L^T = `square`; a direction that is flat gets zeros."""
+    L, size = np.zeros((3, 3)), np.trace(square)
+    for k in range(3):
+        left = square[:, k] - L @ L[k]
+        if left[k] > _FLAT * size:
+            L[k:, k] = left[k:] / np.sqrt(left[k])
+    return L
 
 
 @dataclass(frozen=True)
@@ -94,73 +158,12 @@ class Item:
 
 
 @dataclass(frozen=True)
-class Vector:
-    """The vector from one point to another, with its first `size` components in a frame.
-
-    What stands for it on the picture may be drawn smaller; `scale` makes up for that.
-    """
-
-    tail: Point
-    head: Point
-    frame: int = 0
-    size: int = 2
-    scale: float = 1.0
-
-    def read(self, scene: Scene, frames: np.ndarray, q: Sequence[float]) -> np.ndarray:
-        tail, head = (frames[k] @ (*local, 1.0) for k, *local in (self.tail, self.head))
-        return self.scale * (frames[self.frame][:3, :3].T @ (head - tail)[:3])[:self.size]
-
-
-@dataclass(frozen=True)
-class Amount:
-    """How far motion number `step` goes: a length, or an angle in degrees."""
-
-    step: int
-
-    def read(self, scene: Scene, frames: np.ndarray, q: Sequence[float]) -> np.ndarray:
-        motion = scene.motions[self.step - 1]
-        return np.array([motion.value(q) * (math.degrees(1) if motion.kind == ROTATE else 1)])
-
-
-@dataclass(frozen=True)
-class Volume:
-    """The product of the half axes of a velocity ellipsoid (or ellipse, `size` 2)."""
-
-    ellipsoid: int
-    size: int = 2
-    scale: float = 1.0
-
-    def read(self, scene: Scene, frames: np.ndarray, q: Sequence[float]) -> np.ndarray:
-        sides = np.diagonal(frames[self.ellipsoid])[:self.size]
-        return np.array([self.scale * np.prod(sides)])
-
-
-@dataclass(frozen=True)
-class Entry:
-    """One of several texts, by the whole number that a knob stands at."""
-
-    knob: int
-    texts: tuple[str, ...]
-
-    def read(self, scene: Scene, frames: np.ndarray, q: Sequence[float]) -> str:
-        return self.texts[min(max(round(q[self.knob]), 0), len(self.texts) - 1)]
-
-
-@dataclass(frozen=True)
-class Reading:
-    """A formula under the picture: text with a ``{}`` for each part."""
-
-    name: str
-    text: str
-    vectors: tuple[Vector | Amount | Volume | Entry, ...]
-
-
-@dataclass(frozen=True)
 class Scene:
     """All that is needed to draw something at any setting of its knobs, from any side.
 
     `center` is the point in the middle of the picture, or, with `focus`, the origin of that frame,
-    wherever it goes. `tip` is the frame that a table shows and whose path a trace draws.
+    wherever it goes. `tip` is the frame that a table shows and whose path a trace draws. The rest
+    stands beside the picture: whoever shows a scene has nothing to ask elsewhere.
     """
 
     motions: tuple[Step | Velocity, ...]
@@ -170,9 +173,18 @@ class Scene:
     radius: float
     size: tuple[float, float] = SIZE
     presets: dict[str, tuple[float, float]] = field(default_factory=lambda: dict(SPATIAL))
+    preset: str = ""                          # to begin with; the first one if left out
     readings: tuple[Reading, ...] = ()
     focus: int | None = None
     place: tuple[float, float] | None = None  # of the centre on the picture (px), if not its middle
+    name: str = ""
+    knobs: tuple[Knob, ...] = ()
+    start: tuple[float, ...] | None = None    # values of the knobs; their homes if left out
+    switches: tuple[Switch, ...] = ()
+    pose: PoseTable | None = None
+    poses: tuple[tuple[float, ...], ...] = () # that Play moves between
+    target: Target | None = None
+    decimals: int | None = None               # of formulas; what fits the size if left out
 
     @property
     def scale(self) -> float:
@@ -189,7 +201,7 @@ class Scene:
         """Where the centre lies on the picture (px)."""
         return self.place or (self.size[0] / 2, self.size[1] / 2)
 
-    def frames(self, q: Sequence[float]) -> np.ndarray:
+    def frames(self, q: Numbers) -> np.ndarray:
         """Pose of every frame in the room, shape (len(motions) + 1, 4, 4)."""
         frames = [Frame()]
         for step in self.motions:
@@ -200,32 +212,56 @@ class Scene:
         """The point in the middle of the picture."""
         return np.array(self.center) if self.focus is None else frames[self.focus][:3, 3]
 
-    def read(self, q: Sequence[float]) -> dict[str, tuple[np.ndarray, ...]]:
+    @property
+    def seen_from(self) -> str:
+        """The preset to begin with."""
+        return self.preset or next(iter(self.presets))
+
+    @property
+    def begin(self) -> list[float]:
+        """Values of the knobs to begin with, within their limits; Home leads back to them."""
+        start = [knob.home for knob in self.knobs] if self.start is None else self.start
+        return [knob.within(float(value)) for knob, value in zip(self.knobs, start)]
+
+    @property
+    def shown(self) -> tuple[str, ...]:
+        """Layers that are switched on to begin with."""
+        return tuple(switch.layer for switch in self.switches if switch.on)
+
+    def read(self, q: Numbers) -> dict[str, tuple[np.ndarray | str, ...]]:
         """The vectors and amounts of every reading, by its name."""
         frames = self.frames(q)
-        return {reading.name: tuple(part.read(self, frames, q) for part in reading.vectors)
+        return {reading.name: tuple(part.read(self.motions, frames, q)
+                                    for part in reading.parts)
                 for reading in self.readings}
 
     def data(self) -> dict:
         """The scene as plain data for the browser."""
-        return {
-            "motions": [motion.data(k) for k, motion in enumerate(self.motions)],
+        plain = ("name", "tip", "center", "radius", "scale", "size", "presets", "focus", "wide",
+                 "poses")
+        return {key: getattr(self, key) for key in plain} | {
+            "motions": [motion.data() for motion in self.motions],
             "items": [asdict(item) for item in self.items],
-            "readings": [asdict(reading) for reading in self.readings],
-            "tip": self.tip, "center": self.center, "scale": self.scale, "size": self.size,
-            "presets": self.presets, "focus": self.focus, "place": self.heart,
-            "wide": self.wide,
+            "paints": {item.style: PAINTS[item.style] for item in self.items},
+            "readings": [reading.data() for reading in self.readings],
+            "place": self.heart, "preset": self.seen_from,
+            "knobs": [knob.data() for knob in self.knobs],
+            "home": self.begin, "zero": [knob.within(0.0) for knob in self.knobs],
+            "layers": [asdict(switch) for switch in self.switches],
+            "pose": self.pose and self.pose.data(),
+            "target": self.target and asdict(self.target),
+            "decimals": decimals(self.radius) if self.decimals is None else self.decimals,
         }
 
 
-def at(frame: int, *points: Sequence[float]) -> tuple[Point, ...]:
+def at(frame: int, *points: Numbers) -> tuple[Point, ...]:
     """Points of a frame, as items hold them."""
-    return tuple((frame, *(float(x) for x in point)) for point in points)
+    return tuple((frame, float(x), float(y), float(z)) for x, y, z in points)
 
 
-def subscript(name: str) -> str:
-    """Digits lowered as in print: '12' becomes '₁₂'; the tool's E becomes 'ₑ'."""
-    return name.translate(str.maketrans("0123456789E", "₀₁₂₃₄₅₆₇₈₉ₑ"))
+def origin_of(frame: int) -> Point:
+    """The origin of a frame, as items hold it."""
+    return (frame, 0.0, 0.0, 0.0)
 
 
 def circle(count: int) -> np.ndarray:

@@ -1,66 +1,123 @@
-"""Sketches for lessons: frames, points and vectors that knobs move, with formulas under them.
+"""The builder of scenes: frames, points and vectors that knobs move, with formulas under them.
 
-A sketch collects what a lesson wants to show and ends in a live view:
+A sketch collects what a picture is to show, on a plane of its own or over an arm, and ends in a
+scene:
 
 >>> sketch = Sketch("A frame that slides")
 >>> slide = sketch.knob(Knob.length("o_x", "oₓ", -3, 3, home=2))
 >>> frame = sketch.frame("1", x=slide)
 >>> point = sketch.point("c", frame, (1, 1))
 >>> sketch.reading("c0", "c⁰ = {}", sketch.vector(0, point))
->>> sketch.view()["o_x"].value = 1
+>>> sketch.scene().read([1.0])["c0"]
+(array([2., 1.]),)
 """
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable
+from dataclasses import replace
+from typing import Any
 
 import numpy as np
 
-from ..arms.motions import ROTATE, TRANSLATE, X, Y, Z
-from ..views.live import Knob, LiveView
+from ..arms.arm import Arm
+from ..arms.motions import ROTATE, TRANSLATE, Numbers, X, Y, Z
+from .arm_scene import arm_scene, is_planar
+from .controls import Knob, PoseTable, Switch, Target, subscript
+from .readings import Amount, Entry, Point, Reading, Vector, Volume
 from .scene import (
     ARROW,
     LINE,
     PLANAR,
+    SIZE,
     SPATIAL,
     TEXT,
+    TRACE,
     Item,
-    Point,
-    Reading,
     Scene,
     Step,
-    Vector,
+    Velocity,
     at,
-    subscript,
+    origin_of,
 )
 
 _AXES = np.eye(3)
 
 
 class Sketch:
-    """A picture under construction; lengths in the lesson's unit, angles in radians.
+    """A picture under construction; lengths in its own unit, angles in radians.
 
     Parameters
     ----------
     name : str
         What the picture shows, for its description.
     radius : float
-        Half the width of what is shown about the origin.
+        Half the width of what is shown about the centre.
     planar : bool
         Seen from the top, with x and y axes only.
     unit : str
         Unit of lengths.
+    grid : bool
+        Whether lines of whole units lie on the ground.
     """
 
-    def __init__(self, name: str, radius: float = 4.0, *, planar: bool = True,
-                 unit: str = "") -> None:
+    def __init__(self, name: str, radius: float = 4.0, *, planar: bool = True, unit: str = "",
+                 grid: bool = True) -> None:
         self.name, self.radius, self.planar, self.unit = name, radius, planar, unit
-        self.steps: list[Step] = []
+        self.steps: list[Step | Velocity] = []
         self.items: list[Item] = []
         self.knobs: list[Knob] = []
         self.readings: list[Reading] = []
         self.tip = 0  # the frame that a table shows: the last one made
-        self._ground()
+        self.center = (0.0, 0.0, 0.0)
+        self.focus: int | None = None
+        self.size = SIZE
+        self.place: tuple[float, float] | None = None
+        self.presets = dict(PLANAR if planar else SPATIAL)
+        self.start: list[float] = []  # values of the knobs; their homes if there are none
+        self.switches: list[Switch] = []
+        self.pose: PoseTable | None = None
+        self.poses: list[list[float]] = []
+        self.target: Target | None = None
+        self.decimals: int | None = None
+        self.over = 0.0  # how much nearer than its place everything new lies (length unit)
+        self._bodies = 0
+        if grid:
+            self._ground()
+
+    @classmethod
+    def of(cls, arm: Arm, q: Numbers | None = None, *, name: str = "", show: Any = (),
+           keep: Callable[[Item], bool] = lambda item: True) -> Sketch:
+        """A sketch that begins with the picture of an arm; see `lay_arm`."""
+        sketch = cls(name or arm.name or "Arm", planar=is_planar(arm), unit=arm.unit, grid=False)
+        sketch.lay_arm(arm, q, show=show, keep=keep)
+        return sketch
+
+    def lay_arm(self, arm: Arm, q: Numbers | None = None, *, show: Any = (),
+                keep: Callable[[Item], bool] = lambda item: True) -> None:
+        """Begin with an arm: its motions, its knobs and what stands beside them, the parts to keep.
+
+        `q` and `show` are those of `arm_scene`.
+        """
+        scene = arm_scene(arm, q, show=show)
+        self.center, self.radius, self.tip = scene.center, scene.radius, scene.tip
+        self.knobs, self.switches, self.start = list(scene.knobs), list(scene.switches), scene.begin
+        self.pose, self.steps = scene.pose, list(scene.motions)
+        self.poses = [list(pose) for pose in scene.poses]
+        self.lay(filter(keep, scene.items))
+
+    def bare(self) -> None:
+        """Leave out what stands beside an arm: switches, Play and the table of the tool."""
+        self.switches, self.poses, self.pose = [], [], None
+
+    def lay(self, items: Iterable[Item], root: int = 0, prefix: str = "") -> None:
+        """Put parts of another picture into this one, whose frames begin at frame `root`."""
+        first = self._bodies
+        for item in items:
+            body = item.body if item.body < 0 else item.body + first
+            points = tuple((frame + root, x, y, z) for frame, x, y, z in item.points)
+            self.items.append(replace(item, gid=prefix + item.gid, points=points, body=body))
+            self._bodies = max(self._bodies, body + 1)
 
     def knob(self, knob: Knob) -> int:
         """Add a slider; the number it is known by."""
@@ -68,18 +125,20 @@ class Sketch:
         return len(self.knobs) - 1
 
     def move(self, kind: str, axis: int, amount: float = 0.0, knob: int | None = None,
-             parent: int | None = None, **scrub: float) -> int:
+             parent: int | None = None, *, gain: float = 1.0, start: float | None = None,
+             scrub: tuple[int, float] | None = None,
+             track: tuple[float, ...] | None = None) -> int:
         """Add one elementary motion after `parent` (or the frame before); its frame."""
-        self.steps.append(Step(kind, axis, amount, knob, parent=parent, **scrub))
+        self.steps.append(Step(kind, axis, amount, knob, gain, start, parent, scrub, track))
         return len(self.steps)
 
     def frame(self, name: str, parent: int = 0, *, x: int | None = None, y: int | None = None,
-              theta: int | None = None, origin: Sequence[float] = (0, 0), angle: float = 0.0,
+              theta: int | None = None, origin: Numbers = (0, 0),
               length: float | None = None) -> int:
         """A planar frame that slides along x and y, then turns, each by a knob if one is named."""
         frame = self.move(TRANSLATE, X, origin[0], x, parent)
         frame = self.move(TRANSLATE, Y, origin[1], y)
-        frame = self.move(ROTATE, Z, angle, theta)
+        frame = self.move(ROTATE, Z, 0.0, theta)
         self.axes(name, frame, length)
         self.tip = frame
         return frame
@@ -89,47 +148,47 @@ class Sketch:
         length = length or 0.3 * self.radius
         for letter, axis in zip("xy" if self.planar else "xyz", _AXES):
             label = (length + 0.05 * self.radius) * axis
-            self._add(f"frame-{name}-{letter}", ARROW, letter, at(frame, (0, 0, 0), length * axis))
-            self._add(f"label-{name}-{letter}", TEXT, letter, at(frame, label),
-                      letter + subscript(name), lift=self.radius)
+            self.add(f"frame-{name}-{letter}", ARROW, letter, at(frame, (0, 0, 0), length * axis))
+            self.add(f"label-{name}-{letter}", TEXT, letter, at(frame, label),
+                     letter + subscript(name), lift=self.radius)
 
-    def point(self, name: str, frame: int, place: Sequence[float], style: str = "tool") -> Point:
+    def point(self, name: str, frame: int, place: Numbers) -> Point:
         """A dot with its name."""
         (point,) = at(frame, (*place, 0)[:3])
         beside = (point[0], *(np.array(point[1:]) + 0.07 * self.radius * np.array([1, 1, 0])))
         # A dot is a line too short to see, with round ends. Agg draws none of a line without
         # length, nor of one along a row of pixels, which it rounds to whole pixels.
         (end,) = at(frame, np.array(point[1:]) + 1e-3 * self.radius)
-        self._add(f"point-{name}", LINE, style, (point, end), lift=self.radius)
-        self._add(f"name-{name}", TEXT, "ink", (beside,), name, lift=self.radius)
+        self.add(f"point-{name}", LINE, "tool", (point, end), lift=self.radius)
+        self.add(f"name-{name}", TEXT, "ink", (beside,), name, lift=self.radius)
         return point
 
     def line(self, name: str, points: Iterable[Point], style: str = "dashed") -> None:
         """A line through points, each in its own frame."""
-        self._add(name, LINE, style, tuple(points))
+        self.add(name, LINE, style, tuple(points))
 
     def arrow(self, name: str, tail: Point, head: Point, style: str = "vector") -> None:
         """An arrow from point to point."""
-        self._add(name, ARROW, style, (tail, head), lift=0.1 * self.radius)
+        self.add(name, ARROW, style, (tail, head), lift=0.1 * self.radius)
 
     def label(self, text: str, place: Point, style: str = "ink") -> None:
         """Words at a point."""
-        self._add(f"words-{len(self.items)}", TEXT, style, (place,), text, lift=self.radius)
+        self.add(f"words-{len(self.items)}", TEXT, style, (place,), text, lift=self.radius)
 
     def components(self, name: str, point: Point, frame: int) -> None:
         """Dashed legs from a frame's origin to a point of that frame, along its axes."""
         if point[0] != frame:
             raise ValueError(f"point: expected a point of frame {frame}, got one of {point[0]}")
         corner = (frame, point[1], 0.0, 0.0)
-        self.line(f"legs-{name}", ((frame, 0.0, 0.0, 0.0), corner, point))
+        self.line(f"legs-{name}", (origin_of(frame), corner, point))
 
-    def sweep(self, name: str, step: int, place: Sequence[float], style: str = "arc",
+    def sweep(self, name: str, step: int, place: Numbers, style: str = "arc",
               text: str = "") -> list[int]:
         """The path that a point takes as motion number `step` (its frame) is carried out.
 
         For a rotation an arc, for a slide a line; `text` stands at its middle. The frames along it.
         """
-        motion, before = self.steps[step - 1], self._before(step)
+        motion, before = self._step(step), self._before(step)
         marks = [self._part(motion, before, share) for share in np.linspace(0, 1, 17)]
         self.line(name, [at(frame, place)[0] for frame in marks], style)
         if text:
@@ -139,35 +198,54 @@ class Sketch:
 
     def vector(self, tail: Point | int, head: Point | int, frame: int = 0) -> Vector:
         """For formulas: components in `frame`; a frame's number stands for its origin."""
-        ends = [at(end, (0, 0, 0))[0] if isinstance(end, int) else end for end in (tail, head)]
-        return Vector(*ends, frame, 2 if self.planar else 3)
+        tail, head = (origin_of(end) if isinstance(end, int) else end for end in (tail, head))
+        return Vector(tail, head, frame, 2 if self.planar else 3)
 
-    def reading(self, name: str, text: str, *vectors: Vector) -> None:
-        """A formula under the picture, with a ``{}`` for each vector."""
-        self.readings.append(Reading(name, text, vectors))
+    def trace(self, frame: int) -> None:
+        """The way of a frame's origin, once it is switched on."""
+        self.add("trace", TRACE, "trace", at(frame, (0, 0, 0)), layer="trace")
+
+    def reading(self, name: str, text: str, *parts: Vector | Amount | Volume | Entry) -> None:
+        """A formula under the picture, with a ``{}`` for each part."""
+        self.readings.append(Reading(name, text, parts))
 
     def scene(self) -> Scene:
         """What has been sketched so far."""
-        presets = PLANAR if self.planar else SPATIAL
-        return Scene(tuple(self.steps), tuple(self.items), self.tip, (0.0, 0.0, 0.0),
-                     self.radius, presets=dict(presets), readings=tuple(self.readings))
+        return Scene(
+            name=self.name, motions=tuple(self.steps), items=tuple(self.items), tip=self.tip,
+            center=self.center, radius=self.radius, size=self.size,
+            focus=self.focus, place=self.place, presets=dict(self.presets),
+            knobs=tuple(self.knobs), start=tuple(self.start) or None,
+            switches=tuple(self.switches), pose=self.pose, target=self.target,
+            poses=tuple(tuple(map(float, pose)) for pose in self.poses),
+            readings=tuple(self.readings), decimals=self.decimals)
 
-    def view(self, **options) -> LiveView:
-        """The live view of the sketch; options go to `LiveView`."""
-        return LiveView(self.scene(), self.knobs, name=self.name, **options)
+    def _step(self, frame: int) -> Step:
+        """The elementary motion that leads to a frame."""
+        step = self.steps[frame - 1]
+        assert isinstance(step, Step)
+        return step
 
     def _before(self, step: int) -> int:
-        parent = self.steps[step - 1].parent
+        parent = self._step(step).parent
         return step - 1 if parent is None else parent
 
     def _part(self, motion: Step, before: int, share: float) -> int:
         return self.move(motion.kind, motion.axis, share * motion.amount, motion.joint, before,
                          gain=share * motion.gain, start=motion.start, scrub=motion.scrub)
 
-    def _add(self, gid: str, shape: str, style: str, points: Iterable[Point], text: str = "",
-             lift: float = 0.0) -> None:
-        body = len(self.items)
-        self.items.append(Item(gid, shape, style, tuple(points), body, "", text, lift))
+    def body(self) -> int:
+        """A new number for things that stay together when nearer ones are laid over farther."""
+        self._bodies += 1
+        return self._bodies - 1
+
+    def add(self, gid: str, shape: str, style: str, points: Iterable[Point], text: str = "", *,
+            lift: float = 0.0, body: int | None = None, layer: str = "",
+            paper: bool = False) -> None:
+        """Add one drawn thing, as `Item` has it; a body of its own unless one is given."""
+        body = self.body() if body is None else body
+        self.items.append(Item(gid, shape, style, tuple(points), body, layer, text,
+                               lift + self.over, paper))
 
     def _ground(self) -> None:
         reach = math.floor(0.9 * self.radius)

@@ -12,33 +12,45 @@ import signal
 import subprocess
 import sys
 from collections.abc import Sequence
+from contextlib import suppress
 from threading import Lock, Timer
+from typing import Any
 
+from ..arms.motions import Numbers
 from .scene import Scene
 
 IDLE = 20.0  # seconds
 
+Job = tuple[str, Scene, Numbers, str, Sequence[str]]  # which kind, and what `figure` takes
+
 _lock = Lock()
-_hand: subprocess.Popen | None = None
+_hand: subprocess.Popen[bytes] | None = None
 
 
-def svg(scene: Scene, q: Sequence[float], preset: str, show: Sequence[str]) -> str:
-    """The scene at joint values `q` as SVG text; see `draw.svg`."""
-    return _ask("svg", scene, q, preset, show)
+def begin() -> None:
+    """Start the drawing process, which takes half a second, before the first picture is wanted."""
+    with _lock, suppress(OSError):
+        _running()
 
 
-def png(scene: Scene, q: Sequence[float], preset: str, show: Sequence[str]) -> bytes:
-    """The scene at joint values `q` as a PNG picture; see `draw.png`."""
-    return _ask("png", scene, q, preset, show)
+def svg(scene: Scene, q: Numbers, preset: str, show: Sequence[str]) -> str:
+    """The scene at joint values `q` as SVG text; see `figure.svg`."""
+    return _ask(("svg", scene, q, preset, show))
 
 
-def _draw(kind: str, *job):
+def png(scene: Scene, q: Numbers, preset: str, show: Sequence[str]) -> bytes:
+    """The scene at joint values `q` as a PNG picture; see `figure.png`."""
+    return _ask(("png", scene, q, preset, show))
+
+
+def _draw(job: Job) -> Any:
     from . import figure
 
-    return getattr(figure, kind)(figure.figure(*job))
+    kind, scene, q, preset, show = job
+    return getattr(figure, kind)(figure.figure(scene, q, preset, show))
 
 
-def _ask(*job):
+def _ask(job: Job) -> Any:
     """What the drawing process answers; where none can run, the picture is drawn here."""
     with _lock:
         for _ in range(2):  # it may have ended just now, having waited long enough
@@ -49,24 +61,30 @@ def _ask(*job):
             if isinstance(answer, Exception):
                 raise answer
             return answer
-    return _draw(*job)
+    return _draw(job)
 
 
-def _exchange(job: tuple):
-    global _hand
-    if _hand is None or _hand.poll() is not None:
-        _hand = _start()
+def _exchange(job: Job) -> Any:
+    hand = _running()
+    assert hand.stdin and hand.stdout  # both are pipes
     try:
-        pickle.dump(job, _hand.stdin)
-        _hand.stdin.flush()
-        return pickle.load(_hand.stdout)
+        pickle.dump(job, hand.stdin)
+        hand.stdin.flush()
+        return pickle.load(hand.stdout)
     except BaseException:  # an interrupt, too: half an answer must not be read as the next one
-        _hand.kill()
-        _hand.wait()
+        hand.kill()
+        hand.wait()
         raise
 
 
-def _start() -> subprocess.Popen:
+def _running() -> subprocess.Popen[bytes]:
+    global _hand
+    if _hand is None or _hand.poll() is not None:
+        _hand = _start()
+    return _hand
+
+
+def _start() -> subprocess.Popen[bytes]:
     code = f"import sys; sys.path[:] = {sys.path!r}; from {__name__} import work; work({IDLE})"
     return subprocess.Popen([sys.executable, "-c", code], stdin=subprocess.PIPE,
                             stdout=subprocess.PIPE)
@@ -75,6 +93,8 @@ def _start() -> subprocess.Popen:
 def work(idle: float) -> None:
     """Answer jobs from standard input until it closes or none comes for `idle` seconds."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # it is the kernel that is interrupted
+    from . import figure  # noqa: F401 - matplotlib is there when the first job comes
+
     answers, sys.stdout = sys.stdout.buffer, sys.stderr
     while True:
         waiting = Timer(idle, os._exit, [0])
@@ -89,8 +109,8 @@ def work(idle: float) -> None:
         answers.flush()
 
 
-def _answer(job: tuple):
+def _answer(job: Job) -> Any:
     try:
-        return _draw(*job)
+        return _draw(job)
     except Exception as error:
         return error

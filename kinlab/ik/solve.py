@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 
 from ..arms import inputs
-from ..arms.arm import Arm, _check_arm
+from ..arms.arm import Arm, check_arm
 from ..arms.kinematics import forward_kinematics
 from .attempt import RESTARTS, STEPS, Attempt, Iterate
 from .descent import METHODS, Trail
@@ -122,7 +122,7 @@ def inverse_kinematics(arm: Arm, target: Any, q0: Any = None, *, method: str = "
     >>> inverse_kinematics(robots.two_link(), [3, 0, 0]).message
     'out of reach: the target is 3 m from the base, all links end to end are 2 m'
     """
-    _check_arm(arm)
+    check_arm(arm)
     poses, count = _targets("target", target, ())
     task, options = _task(arm, count, weights, limits, tolerance, method, restarts, seed, steps)
     attempt = Attempt(task, poses, _starts(arm, q0, ()), trail=[], **options)
@@ -158,7 +158,7 @@ def inverse_kinematics_batch(arm: Arm, targets: Any, q0: Any = None, *, method: 
     >>> inverse_kinematics_batch(robots.two_link(), [[1, 1, 0], [3, 0, 0]]).success
     array([ True, False])
     """
-    _check_arm(arm)
+    check_arm(arm)
     poses, count = _targets("targets", targets, (-1,))
     task, options = _task(arm, count, weights, limits, tolerance, method, restarts, seed, steps)
     starts = _starts(arm, q0, (len(poses),))

@@ -14,7 +14,7 @@ from ..answers.conditions import (
     straight_down,
     within_limits,
 )
-from ..answers.judges import Judge, choices, expressions, function
+from ..answers.judges import Judge, Slip, choices, expressions, function
 from ..answers.matrices import link_matrix, matrix_entry
 from ..arms import kinematics, robots
 
@@ -38,7 +38,7 @@ _LINK_CASES = [dict(theta=0.0, d=0.0, a=0.0, alpha=0.0),
                dict(theta=0.7, d=215.0, a=0.0, alpha=-pi / 2),
                dict(theta=-0.4, d=12.0, a=30.0, alpha=0.9)]
 
-_LINK_SLIPS = [
+_LINK_SLIPS: list[Slip] = [
     ("The angles arrive in radians; do not convert them.",
      lambda t, d, a, al: _A(t * pi / 180, d, a, al * pi / 180)),
     ("This is the transpose: the axes of frame k are columns, not rows.",

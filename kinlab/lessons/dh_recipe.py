@@ -19,10 +19,12 @@ from ..arms.arm import Arm
 from ..arms.kinematics import forward_kinematics, link_frames
 from ..arms.link import prismatic, revolute
 from ..arms.motions import ROTATE, TRANSLATE, X, Y, Z
-from ..drawing.scene import Vector, at
+from ..drawing.controls import Knob, PoseTable
+from ..drawing.readings import Vector
+from ..drawing.scene import at, origin_of
 from ..drawing.sketch import Sketch
-from ..views.link_view import motions_view, parameters_view
-from ..views.live import Knob, LiveView
+from ..views.live import LiveView
+from ..views.studies import motions_view, parameters_view
 
 __all__ = ["JUDGES", "motions_view", "parameters_view", "rules_view"]
 
@@ -42,18 +44,18 @@ def rules_view() -> LiveView:
     across = sketch.move(ROTATE, Z, pi / 2, parent=foot)  # its x axis points along the miss
     sketch.line("z-line", at(0, (0, 0, -1), (0, 0, 2.8)), "axis")
     sketch.line("x-line", at(frame, (-4, 0, 0), (0, 0, 0)))
-    ends = [at(end, (0, 0, 0))[0] for end in (foot, side)]
-    sketch.arrow("gap", *ends)
+    tail, head = map(origin_of, (foot, side))
+    sketch.arrow("gap", tail, head)
     sketch.axes("0", 0)
     sketch.axes("1", frame)
     sketch.tip = frame
-    sketch.reading("rule 1", "Rule 1: x₁ · z₀ = {}, should be 0", Vector(
-        *at(frame, (0, 0, 0), (1, 0, 0)), upright, 1))
+    origin, unit = at(frame, (0, 0, 0), (1, 0, 0))
+    sketch.reading("rule 1", "Rule 1: x₁ · z₀ = {}, should be 0",
+                   Vector(origin, unit, upright, 1))
     sketch.reading("rule 2", "Rule 2: x₁ passes z₀ at {}, should be 0",
-                   Vector(*ends, across, 1))
-    columns = [{"name": f"{name}₁", "title": f"{name} of frame 1"} for name in "xyzo"]
-    return sketch.view(panels={"pose": {"title": "H, frame 1 seen from frame 0", "unit": "",
-                                        "columns": columns, "decimals": 3}})
+                   Vector(tail, head, across, 1))
+    sketch.pose = PoseTable.of_frame("H, frame 1 seen from frame 0", "1", "xyz")
+    return LiveView(sketch.scene())
 
 
 # ---- Exercise 1: which transforms keep the rules --------------------------------------
@@ -177,7 +179,8 @@ def stands_as(answer: Arm, reference: Arm) -> bool:
 
 def _product(links: slice, rows: Rows, convention: str = "standard") -> np.ndarray:
     """The transform over a stretch of links, its entries row by row."""
-    return reduce(np.matmul, [link_matrix(*row, convention) for row in rows[links]]).ravel()
+    return reduce(np.matmul, [link_matrix(theta, d, a, alpha, convention)
+                              for theta, d, a, alpha in rows[links]]).ravel()
 
 
 def _matrix_judge(links: slice, praise: str, slips: Sequence = ()) -> Judge:
@@ -228,7 +231,7 @@ def _frames(answer: Any) -> Verdict:
         placement = examine_frames(answer, _EXAM)
     except ValueError as error:
         return Verdict(NOT_YET, f"{error}.")
-    if not placement.ok:
+    if placement.arm is None:
         return placement
     view, own = link_frames(_EXAM, _EXAM.home), link_frames(placement.arm, placement.arm.home)
     turned = [i for i in range(3) if view[i, :3, 2] @ own[i, :3, 2] < 0]

@@ -50,7 +50,7 @@ def _hidden(twists: np.ndarray) -> str:
 _TWIST_SLIPS = [
     degrees_slip(hint="write np.radians([...])"),
     ("Different twists can hide it, too, but their cosines must be equal.",
-     lambda twists: len(set(np.round(np.abs(twists), 9))) == 4),
+     lambda twists: len(np.unique(np.round(np.abs(twists), 9))) == 4),
 ]
 
 JUDGES: dict[str, Judge] = {

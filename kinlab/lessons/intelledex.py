@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from ..answers.conditions import degrees_slip, one_of_many
-from ..answers.judges import Judge, choices, expressions
+from ..answers.judges import Judge, Slip, choices, expressions
 from ..answers.table_judge import column, table, with_columns
 from ..arms import kinematics, robots
 from ..arms.joints import joint_array
@@ -60,7 +60,7 @@ def _wrist(t1: float, t2: float, t3: float, t4: float, *, height: float = 373.4,
 
 _WRIST_POINTS = [dict(zip(_JOINTS, q)) for q in
                  ((0.3, -0.5, 0.8, -1.1), (-1.2, 0.9, 0.4, 0.7), (2.0, 0.2, -0.6, 1.5))]
-_WRIST_SLIPS = [
+_WRIST_SLIPS: list[Slip] = [
     ("The forearm is forgotten: joint 4 swings a4 = 304.8.", partial(_wrist, forearm_length=0.0)),
     ("The forearm is turned by theta_3 + theta_4, not by theta_4 alone.",
      partial(_wrist, forearm=lambda t3, t4: t4)),

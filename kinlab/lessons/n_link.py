@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from ..answers.conditions import degrees_slip, meet, one_of_many, one_pose
-from ..answers.judges import Judge, function, is_stub
+from ..answers.judges import Judge, Slip, function, is_stub
 from ..answers.matrices import link_matrix, matrix_entry, matrix_place
 from ..answers.table_judge import column, table, with_columns
 from ..answers.verdict import Verdict
@@ -42,7 +42,7 @@ def _with(T: np.ndarray, row: int, column: int, value: float) -> np.ndarray:
 _ROW = ("alpha", "a", "d", "theta")
 _LINK_CASES = [dict(zip(_ROW, row)) for row in (
     (0.0, 0.0, 0.0, 0.0), (0.0, 1.0, 0.0, 0.6), (pi / 2, 0.0, -0.5, 0.7), (-0.9, 0.3, 0.4, -0.4))]
-_LINK_SLIPS = [
+_LINK_SLIPS: list[Slip] = [
     ("This is the standard link matrix. The practical's table is modified: first the turn about x "
      "and the slide along x, then those of z.", _standard),
     ("The angles arrive in radians; do not convert them.", _in_degrees),
@@ -66,8 +66,9 @@ _LINK_SLIPS = [
 
 # ---- Exercise 2: n links ---------------------------------------------------------------
 
+_Three = tuple[float, float, float]
 # By their number of links: table rows (alpha, a, d) and tool vector.
-_ARMS = {
+_ARMS: dict[int, tuple[list[_Three], _Three]] = {
     2: ([(0, 0, 0), (0, 1, 0)], (1, 0, 0)),
     3: ([(0.3, 0.2, 0.1), (-0.5, 0.4, 0.3), (0.9, 0.1, -0.2)], (0.1, 0.2, 0.3)),
     6: ([(0, 0, 0), (pi / 2, 0, -0.5), (0, 0.5, 0), (-pi / 2, 0, 1), (pi / 2, 0, 0),
@@ -118,7 +119,7 @@ def _joined(result: Any) -> Any:
     return np.column_stack([T, [*p[:3], 1]])
 
 
-_CHAIN_SLIPS = [
+_CHAIN_SLIPS: list[Slip] = [
     ("T is right, but p is the origin of frame n: the tool vector is forgotten.",
      partial(_answer, tool=0)),
     ("T is right, but the tool vector is given in frame n: turn it by R before you add it to o.",

@@ -10,11 +10,11 @@ from ..answers.judges import Judge, choices, function, values
 from ..answers.matrices import matrix_entry
 from ..arms.motions import ROTATE, TRANSLATE, X, Y, Z
 from ..arms.transforms import rotation_2d
-from ..drawing.scene import Point, at
+from ..drawing.controls import Knob, PoseTable
+from ..drawing.readings import Point
+from ..drawing.scene import at, origin_of
 from ..drawing.sketch import Sketch
-from ..views.live import Knob, LiveView
-
-ORIGIN: Point = (0, 0.0, 0.0, 0.0)
+from ..views.live import LiveView
 
 # ---- Views --------------------------------------------------------------------------
 
@@ -26,13 +26,13 @@ def axes_view() -> LiveView:
     for name, start in (("x", 0.0), ("y", pi / 2)):
         foot = _crank(sketch, theta, 0.5, 0.5, start)
         tip = at(frame, (cos(start), sin(start), 0))[0]
-        sketch.line(f"legs-{name}", [ORIGIN, at(foot, (0, 0, 0))[0], tip])
+        sketch.line(f"legs-{name}", [origin_of(0), origin_of(foot), tip])
     sketch.label("cos θ", (_crank(sketch, theta, 0.25, 0.25), 0.0, -0.1, 0.0))
     sketch.label("sin θ", (_crank(sketch, theta, 0.75, 0.25), 0.22, 0.0, 0.0))
     for letter, axis in (("x", (1, 0, 0)), ("y", (0, 1, 0))):
         sketch.reading(letter, letter + "₁ seen from frame 0 = {}",
                        sketch.vector(0, at(frame, axis)[0]))
-    return sketch.view(panels=_table("xy"))
+    return _shown(sketch, "xy")
 
 
 def riding_view() -> LiveView:
@@ -42,12 +42,13 @@ def riding_view() -> LiveView:
     corner = at(frame, (1.2, 0, 0))[0]
     sketch.components("c1", point, frame)
     sketch.line("circle", _circle(1.3))
-    sketch.arrow("arrow-c", ORIGIN, point)
+    sketch.arrow("arrow-c", origin_of(0), point)
     sketch.reading("c1", "c¹ = {}, always", sketch.vector(frame, point, frame))
     sketch.reading("c0", "c⁰ = 1.2 x₁ + 0.5 y₁ = {} + {} = {}",
                    sketch.vector(0, corner), sketch.vector(corner, point),
                    sketch.vector(0, point))
-    return sketch.view(panels=_table("xy") | {"decimals": 2})
+    sketch.decimals = 2
+    return _shown(sketch, "xy")
 
 
 def still_view() -> LiveView:
@@ -59,11 +60,11 @@ def still_view() -> LiveView:
     sketch.move(TRANSLATE, Y, 0.6)
     mirror = sketch.move(ROTATE, Z, 0.0, theta, gain=2.0)
     foot = at(mirror, (0.25, -0.6, 0))[0]
-    sketch.line("legs-c1", [ORIGIN, foot, point])
-    sketch.arrow("arrow-c", ORIGIN, point)
+    sketch.line("legs-c1", [origin_of(0), foot, point])
+    sketch.arrow("arrow-c", origin_of(0), point)
     sketch.reading("c0", "c⁰ = {}, always", sketch.vector(0, point))
     sketch.reading("c1", "c¹ = (R₁⁰)ᵀ c⁰ = {}", sketch.vector(0, point, frame))
-    return sketch.view(panels=_table("xy"))
+    return _shown(sketch, "xy")
 
 
 def spatial_view(axis: str) -> LiveView:
@@ -79,7 +80,7 @@ def spatial_view(axis: str) -> LiveView:
     for letter, unit in zip("xyz", np.eye(3)):
         sketch.reading(letter, letter + "₁ seen from frame 0 = {}",
                        sketch.vector(0, at(frame, unit)[0]))
-    return sketch.view(panels=_table("xyz"), preset="3-D")
+    return _shown(sketch, "xyz")
 
 
 def _turning(name: str) -> tuple[Sketch, int, int]:
@@ -105,10 +106,11 @@ def _circle(radius: float) -> list[Point]:
     return [at(0, (radius * cos(t), radius * sin(t), 0))[0] for t in np.linspace(0, 2 * pi, 73)]
 
 
-def _table(letters: str) -> dict:
-    columns = [{"name": f"{letter}₁", "title": f"{letter} axis of frame 1"} for letter in letters]
-    return {"pose": {"title": "R₁⁰, the axes of frame 1 as columns", "columns": columns,
-                     "rows": len(letters), "decimals": 3, "unit": ""}}
+def _shown(sketch: Sketch, letters: str) -> LiveView:
+    """The view, with the rotation matrix beside it."""
+    sketch.pose = PoseTable.of_frame("R₁⁰, the axes of frame 1 as columns", "1", letters,
+                                     rows=len(letters))
+    return LiveView(sketch.scene())
 
 
 # ---- Exercise 1: the matrix -----------------------------------------------------------

@@ -1,7 +1,6 @@
 """Lesson 00, start here: its view, its exercises' references and typical slips."""
 from __future__ import annotations
 
-from dataclasses import replace
 from functools import partial
 from math import cos, inf, pi, radians, sin
 from typing import Any
@@ -11,9 +10,8 @@ import numpy as np
 from ..answers.conditions import degrees_slip, meet, one_of_many
 from ..answers.judges import Judge, choices, values
 from ..arms import inputs, kinematics, robots
-from ..drawing.arm_scene import arm_scene
-from ..drawing.scene import LINE, TEXT, Item, Reading, Vector, at
-from ..views.arm_view import joint_knob
+from ..drawing.scene import LINE, at, circle, origin_of
+from ..drawing.sketch import Sketch
 from ..views.live import LiveView
 
 _ARM = robots.two_link()
@@ -25,20 +23,17 @@ NEAR = 0.02  # m
 
 def reach_view() -> LiveView:
     """The two-link arm and a target that its tip may reach."""
-    scene = arm_scene(_ARM)
-    (tip,), (target,), (start,) = at(scene.tip, (0, 0, 0)), at(0, (*TARGET, 0)), at(0, (0, 0, 0))
-    ring = [(*(TARGET + 0.1 * np.array([cos(t), sin(t)])), 0) for t in np.linspace(0, 2 * pi, 33)]
-    body, lift = len(scene.items), scene.radius
-    bare = tuple(item for item in scene.items if not item.layer)
-    extra = (Item("target", LINE, "z", at(0, *ring), body, lift=lift),
-             Item("target-name", TEXT, "z", at(0, (*(TARGET + [0.25, 0.16]), 0)), body + 1, "",
-                  "target", lift),
-             Item("gap", LINE, "dashed", (tip, target), body + 2, lift=lift))
-    readings = (Reading("p", "forward: the tip is at p = {} m", (Vector(start, tip),)),
-                Reading("gap", "inverse: still to go, target - p = {} m", (Vector(tip, target),)))
-    shown = replace(scene, items=bare + extra, readings=readings, presets={"top": (-90.0, 90.0)})
-    knobs = [replace(joint_knob(_ARM, i), home=radians(home)) for i, home in enumerate((-40, 60))]
-    return LiveView(shown, knobs, name="Two-link arm and a target")
+    sketch = Sketch.of(_ARM, np.radians([-40, 60]), name="Two-link arm and a target",
+                       keep=lambda item: not item.layer)
+    sketch.bare()
+    tip, (target,) = origin_of(sketch.tip), at(0, (*TARGET, 0))
+    ring = 0.1 * circle(33) + [*TARGET, 0]
+    sketch.add("target", LINE, "z", at(0, *ring), lift=sketch.radius)
+    sketch.label("target", (0, *(TARGET + [0.25, 0.16]), 0.0), "z")
+    sketch.add("gap", LINE, "dashed", (tip, target), lift=sketch.radius)
+    sketch.reading("p", "forward: the tip is at p = {} m", sketch.vector(0, tip))
+    sketch.reading("gap", "inverse: still to go, target - p = {} m", sketch.vector(tip, target))
+    return LiveView(sketch.scene())
 
 
 # ---- Exercise 1: forward or inverse? -----------------------------------------------------

@@ -1,16 +1,17 @@
 """Lesson 01, translation: its views, its exercises' references and typical slips."""
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import numpy as np
 
 from ..answers.judges import Judge, expressions, values
 from ..arms.motions import TRANSLATE, X, Y
-from ..drawing.scene import Point, at
+from ..drawing.controls import Knob
+from ..drawing.readings import Point
+from ..drawing.scene import origin_of
 from ..drawing.sketch import Sketch
-from ..views.live import Knob, LiveView
-
-ORIGIN: Point = (0, 0.0, 0.0, 0.0)
-_SHORT = {"decimals": 2}
+from ..views.live import LiveView
 
 # ---- Views --------------------------------------------------------------------------
 
@@ -22,11 +23,12 @@ def sliding_view() -> LiveView:
     frame, halfway = _frame(sketch, "1", x, y)
     point = sketch.point("c", 0, (1, 2))
     beside = sketch.move(TRANSLATE, Y, 0.0, y, parent=0)  # as high as the origin of frame 1
-    sketch.line("legs-c1", [at(frame, (0, 0, 0))[0], (beside, 1.0, 0.0, 0.0), point])
+    sketch.line("legs-c1", [origin_of(frame), (beside, 1.0, 0.0, 0.0), point])
     _triangle(sketch, frame, point, (halfway, 0.75, 1.05, 0.0), (0, 0.25, 1.25, 0.0))
     sketch.label("o₁⁰", (halfway, -0.15, -0.35, 0.0))
     _sum(sketch, frame, point)
-    return sketch.view(panels=_SHORT)
+    sketch.decimals = 2
+    return LiveView(sketch.scene())
 
 
 def riding_view() -> LiveView:
@@ -39,7 +41,8 @@ def riding_view() -> LiveView:
     _triangle(sketch, frame, point, (frame, 0.25, 1.15, 0.0), (halfway, 0.75, 1.15, 0.0))
     sketch.label("o₁⁰", (halfway, 0.2, -0.3, 0.0))
     _sum(sketch, frame, point)
-    return sketch.view(panels=_SHORT)
+    sketch.decimals = 2
+    return LiveView(sketch.scene())
 
 
 def chain_view() -> LiveView:
@@ -50,7 +53,7 @@ def chain_view() -> LiveView:
     one, half_one = _frame(sketch, "1", *first)
     two, half_two = _frame(sketch, "2", *second, parent=one)
     other, _ = _slide(sketch, *second, parent=0)
-    start, corner, middle, end = (at(k, (0, 0, 0))[0] for k in (0, one, other, two))
+    start, corner, middle, end = map(origin_of, (0, one, other, two))
     sketch.line("other-order", [start, middle, end])
     for name, tail, head in (("o1", start, corner), ("o2", corner, end), ("sum", start, end)):
         sketch.arrow(f"arrow-{name}", tail, head)
@@ -61,14 +64,16 @@ def chain_view() -> LiveView:
                    sketch.vector(one, two), sketch.vector(0, two))
     sketch.reading("other", "o₂¹ + o₁⁰ = {} + {} = {}", sketch.vector(0, other),
                    sketch.vector(other, two), sketch.vector(0, two))
-    return sketch.view(panels=_SHORT)
+    sketch.decimals = 2
+    return LiveView(sketch.scene())
 
 
-def _knobs(sketch: Sketch, name: str, letter: str, home: tuple[float, float]) -> list[int]:
+def _knobs(sketch: Sketch, name: str, letter: str, home: tuple[float, float]) -> tuple[int, int]:
     reach = 2.5 if name == "o" else 2.0
     lower = {"o": ("oₓ", "oᵧ")}.get(letter, (f"{letter} x", f"{letter} y"))
-    return [sketch.knob(Knob.length(f"{name}_{axis}", label, -reach, reach, start))
-            for axis, label, start in zip("xy", lower, home)]
+    x, y = (sketch.knob(Knob.length(f"{name}_{axis}", label, -reach, reach, start))
+            for axis, label, start in zip("xy", lower, home))
+    return x, y
 
 
 def _frame(sketch: Sketch, name: str, x: int, y: int, parent: int = 0) -> tuple[int, int]:
@@ -90,10 +95,10 @@ def _slide(sketch: Sketch, x: int, y: int, parent: int) -> tuple[int, int]:
 
 def _triangle(sketch: Sketch, frame: int, point: Point, middle_1: Point, middle_0: Point) -> None:
     """The arrows to frame 1, from there to the point, and from the room's origin to the point."""
-    (origin,) = at(frame, (0, 0, 0))
-    sketch.arrow("arrow-o", ORIGIN, origin)
+    origin = origin_of(frame)
+    sketch.arrow("arrow-o", origin_of(0), origin)
     sketch.arrow("arrow-c1", origin, point)
-    sketch.arrow("arrow-c0", ORIGIN, point)
+    sketch.arrow("arrow-c0", origin_of(0), point)
     sketch.label("c¹", middle_1)
     sketch.label("c⁰", middle_0)
 
@@ -134,7 +139,7 @@ _CAMERA_POINTS = [dict(zip(_CAMERA_SYMBOLS, numbers))
                   for numbers in ((4, 3, 1, -2, -2, 1.5), (0.3, -1, 2, 0.7, 1.1, 5))]
 
 
-def _camera(k_sign: int, b_sign: int, p_sign: int):
+def _camera(k_sign: int, b_sign: int, p_sign: int) -> Callable[..., list[float]]:
     """Sums of the three vectors, each with a sign."""
     return lambda k_x, k_y, b_x, b_y, p_x, p_y: [
         k_sign * k + b_sign * b + p_sign * p for k, b, p in ((k_x, b_x, p_x), (k_y, b_y, p_y))]

@@ -134,7 +134,7 @@ def _points_back(q: np.ndarray) -> str:
 
 
 def _on_the_axis(q: np.ndarray) -> str:
-    x = _PQ(*q, _L1, _L2)[1, 0]
+    x = _PQ(q[0], q[1], _L1, _L2)[1, 0]
     return "" if abs(x) <= 1e-3 else (f"Link 2 points along -x_0, but Q is at x = {x:.4g}; "
                                       "0.001 is allowed.")
 

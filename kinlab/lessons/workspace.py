@@ -10,6 +10,7 @@ import numpy as np
 from ..answers.conditions import degrees_slip, meet, one_of_many, one_pose, within_limits
 from ..answers.judges import Judge, function
 from ..arms import inputs, kinematics, robots
+from ..arms.joints import joint_range
 from .views.workspace import L1, L2, limits_view, ring_view
 
 __all__ = ["limits_view", "ring_view"]
@@ -99,7 +100,7 @@ def _range(answer: Any) -> np.ndarray:
 
 def _stays_above(limits: np.ndarray) -> str:
     """The lowest place of the tool, at a limit of joint 1 or wherever between them it is."""
-    turns = np.linspace(*limits, 721)[:, None]
+    turns = np.linspace(limits[0], limits[1], 721)[:, None]
     height = L1 * np.sin(turns) + L2 * np.sin(turns + _BENDS)
     if height.min() >= -1e-3:
         return ""
@@ -131,9 +132,9 @@ _WALL_SLIPS = [
 _ARM = robots.alpha_ii()
 _SHOULDER = np.array([0, 0, _ARM.links[0].d])
 _FORE, _TOOL = _ARM.links[2].a, _ARM.links[4].d
-_CLOSEST = 2 * _FORE * sin((pi - _ARM.links[2].limits[1]) / 2) - _TOOL
+_CLOSEST = 2 * _FORE * sin((pi - joint_range(_ARM, 2)[1]) / 2) - _TOOL
 TARGET = np.array([600.0, 0.0, 500.0])
-_STRAIGHT = np.linalg.norm(TARGET - _SHOULDER) - 2 * _FORE - _TOOL
+_STRAIGHT = float(np.linalg.norm(TARGET - _SHOULDER)) - 2 * _FORE - _TOOL
 
 
 def _gap(q: np.ndarray, point: np.ndarray) -> float:

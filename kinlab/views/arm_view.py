@@ -2,28 +2,47 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from typing import Any
 
-import ipywidgets
 import numpy as np
 
 from ..arms import inputs
 from ..arms.arm import Arm
-from ..arms.joints import first_pose, joint_array, joint_range, one_pose
+from ..arms.joints import first_pose, joint_array, joint_ranges, one_pose
 from ..arms.kinematics import forward_kinematics
 from ..arms.link import REVOLUTE
-from ..drawing.arm_scene import LAYERS, arm_scene, is_planar
-from ..drawing.scene import SPATIAL, Scene, subscript
-from .live import Knob, LiveView, decimals, numbers
-
-_SWITCHES = (("frames", "Frames", "Frames of the links"), ("labels", "Labels", "Names of the axes"),
-             ("axes", "Joint axes", "Axes of the joints"), ("trace", "Trace", "Path of the tool"),
-             ("ghost", "Ghost", "The arm at home, for comparison"))
-_COLUMNS = (("n", "normal vector"), ("s", "sliding vector"), ("a", "approach vector"),
-            ("p", "position"))
+from ..browser import mathml
+from ..drawing.arm_scene import arm_scene
+from ..drawing.scene import SPATIAL
+from .live import Control, LiveView, numbers
 
 
-class ArmView(LiveView):
+class JointView(LiveView):
+    """What every view of an arm has: the arm, its joints and the pose of its tool."""
+
+    @property
+    def arm(self) -> Arm:
+        return self._arm
+
+    @property
+    def joints(self) -> list[Control]:
+        return self.controls[:self.arm.n]
+
+    @property
+    def T(self) -> np.ndarray:
+        return forward_kinematics(self.arm, self.q)
+
+    def move(self, q: Any) -> None:
+        self._move(one_pose(self.arm, q))
+
+    def _words(self) -> str:
+        """The name, and the joint values as the sliders show them."""
+        name = f"{self.arm.name!r}, " if self.arm.name else ""
+        return name + f"q={joints_text(self.arm, [joint.value for joint in self.joints])}"
+
+
+class ArmView(JointView):
     """A live arm: a slider per joint, and the picture, frames and numbers that answer.
 
     Parameters
@@ -42,13 +61,15 @@ class ArmView(LiveView):
 
     Attributes
     ----------
+    arm : Arm
     q : array, shape (n,)
         Joint values (rad or length). Setting it moves the arm; values beyond a limit stop there,
         and the view says so.
     T : array, shape (4, 4)
         Pose of the tool, `forward_kinematics(arm, q)`.
-    joints : list of ipywidgets.FloatSlider
-        One per joint, in degrees or the arm's unit.
+    joints : list of Control
+        One per joint, with its `value` in degrees or the arm's unit. Each is a trait, too:
+        ``view.theta_1 = 30``.
 
     Raises
     ------
@@ -68,14 +89,13 @@ class ArmView(LiveView):
                  show: Sequence[str] = ("frames", "labels"), preset: str | None = None,
                  poses: Any = None) -> None:
         start = first_pose(arm, q)
-        preset = preset or _preset(arm)
-        inputs.choice("preset", preset, tuple(SPATIAL))
-        self.arm, show = arm, layers(show)
-        knobs = [joint_knob(arm, i) for i in range(arm.n)]
-        scene, poses = arm_scene(arm), None if poses is None else _poses(arm, poses)
-        super().__init__(scene, knobs, name=arm.name or "Arm", preset=preset, show=show,
-                         panels=_panels(arm, scene, knobs, show, poses),
-                         below=[_formula(arm)] if closed_form else [])
+        if preset is not None:
+            inputs.choice("preset", preset, tuple(SPATIAL))
+        scene = arm_scene(arm, start, show=show, preset=preset or "")
+        if poses is not None:
+            scene = replace(scene, poses=tuple(map(tuple, _poses(arm, poses).tolist())))
+        self._arm = arm
+        super().__init__(scene, formula=_formula(arm) if closed_form else "")
         self.q = start
 
     def follow(self, arm: Arm, q: Any = None) -> None:
@@ -99,34 +119,11 @@ class ArmView(LiveView):
         ArmView('2018 exam', q=[0 deg, 0 deg, 0.4 m], p=[0.4, -0.2, 0.9] m)
         """
         q = first_pose(arm, q)
-        knobs, scene = [joint_knob(arm, i) for i in range(arm.n)], arm_scene(arm)
-        self._replace(scene, knobs, q, arm.name or "Arm",
-                      _panels(arm, scene, knobs, self._show, None), _preset(arm))
-        self.arm = arm
-
-    @property
-    def joints(self) -> list[ipywidgets.FloatSlider]:
-        return self.sliders
-
-    @property
-    def q(self) -> np.ndarray:
-        return self._values
-
-    @q.setter
-    def q(self, q: Any) -> None:
-        self._move(one_pose(self.arm, q))
-
-    @property
-    def T(self) -> np.ndarray:
-        return forward_kinematics(self.arm, self.q)
+        self._arm = arm
+        self._replace(arm_scene(arm, show=self._scene.shown), q)
 
     def __repr__(self) -> str:
-        name = f"{self.arm.name!r}, " if self.arm.name else ""
-        return (f"ArmView({name}q={self._q_text()}, "
-                f"p=[{numbers(self.T[:3, 3])}] {self.arm.unit})")
-
-    def _q_text(self) -> str:
-        return joints_text(self.arm, [slider.value for slider in self.joints])
+        return f"ArmView({self._words()}, p=[{numbers(self.T[:3, 3])}] {self.arm.unit})"
 
 
 def joints_text(arm: Arm, values: Sequence[float]) -> str:
@@ -137,63 +134,10 @@ def joints_text(arm: Arm, values: Sequence[float]) -> str:
     return "[" + ", ".join(f"{numbers([v])} {unit}" for v, unit in zip(values, units)) + "]"
 
 
-def switches(show: Sequence[str]) -> list[dict]:
-    """Buttons that show and hide the layers of an arm's picture."""
-    return [{"layer": layer, "label": label, "title": title, "on": layer in show}
-            for layer, label, title in _SWITCHES]
-
-
-def joint_knob(arm: Arm, i: int) -> Knob:
-    """The knob of joint i: its textbook name, its limits, its home."""
-    link, (low, high), home = arm.links[i], joint_range(arm, i), float(arm.home[i])
-    number, title = str(i + 1), link.name or f"joint {i + 1}"
-    if link.kind == REVOLUTE:
-        return Knob.angle(f"theta_{number}", f"θ{subscript(number)}", low, high, home, title)
-    return Knob.length(f"d_{number}", f"d{subscript(number)}", low, high, home, arm.unit, title)
-
-
-def _preset(arm: Arm) -> str:
-    return "top" if is_planar(arm) else "3-D"
-
-
-def _panels(arm: Arm, scene: Scene, knobs: Sequence[Knob], show: Sequence[str],
-            poses: np.ndarray | None) -> dict:
-    return {"poses": (tour(knobs) if poses is None else poses).tolist(),
-            "pose": pose_table(arm, scene.radius), "layers": switches(show)}
-
-
-def pose_table(arm: Arm, size: float) -> dict:
-    """The table of the tool's pose beside a picture of this size."""
-    tool = str(arm.n) if np.array_equal(arm.tool, np.eye(4)) else "E"
-    columns = [{"name": name, "title": title} for name, title in _COLUMNS]
-    return {"title": f"T₀{subscript(tool)}, the pose of the tool", "said": "tool",
-            "columns": columns, "decimals": decimals(size), "unit": arm.unit}
-
-
-def tour(knobs: Sequence[Knob]) -> np.ndarray:
-    """Home, then each joint out and back, towards its farther limit."""
-    low, high, home = np.array([(knob.low, knob.high, knob.home) for knob in knobs]).T
-    home = np.clip(home, low, high)
-    away = np.minimum(np.maximum(high - home, home - low), 0.3 * (high - low))
-    away *= np.where(high - home >= home - low, 1, -1)
-    return np.concatenate([[home, home + out] for out in np.diag(away)])
-
-
-def _formula(arm: Arm) -> ipywidgets.HTMLMath:
+def _formula(arm: Arm) -> str:
     from ..arms.symbolic import closed_form
 
-    formula = ipywidgets.HTMLMath(f"$\\displaystyle {closed_form(arm).latex}$")
-    formula.add_class("kl-math")
-    return formula
-
-
-def layers(show: Any) -> tuple[str, ...]:
-    """Names of layers, checked."""
-    try:
-        names = (show,) if isinstance(show, str) else tuple(show)
-    except TypeError:
-        names = (show,)
-    return tuple(inputs.choice("show", name, LAYERS) for name in names)
+    return mathml.named(closed_form(arm).latex, arm.n)
 
 
 def _poses(arm: Arm, poses: Any) -> np.ndarray:
@@ -201,5 +145,4 @@ def _poses(arm: Arm, poses: Any) -> np.ndarray:
     if poses.ndim != 2 or not len(poses):
         raise ValueError(f"poses: expected shape (m, {arm.n}) with m > 0, got {poses.shape}; "
                          "give a list of joint vectors")
-    low, high = np.array([joint_range(arm, i) for i in range(arm.n)]).T
-    return np.clip(poses, low, high)
+    return np.clip(poses, *joint_ranges(arm))

@@ -1,169 +1,154 @@
-"""The live view: ipywidgets sliders beside a picture that the browser moves."""
+"""The live view: one widget that draws a scene in the browser and holds its knobs as traits."""
 from __future__ import annotations
 
-import math
 import os
-from collections.abc import Sequence
-from dataclasses import asdict, dataclass
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
 import anywidget
-import ipywidgets
 import numpy as np
 import traitlets
 
 from ..arms import inputs
-from ..browser import page
+from ..arms.motions import Numbers
+from ..browser import bundle, page
 from ..drawing import worker
+from ..drawing.controls import Knob
 from ..drawing.scene import Scene
 
 
-class Canvas(anywidget.AnyWidget):
-    """The moving picture, its buttons and its table; mount.js and host_jupyter.js do the work."""
+class KnobValue(traitlets.TraitType):
+    """The value of a knob in its slider's unit, kept within the knob's limits."""
 
-    _esm = page.script("jupyter")
-    # As text: anywidget would watch a file, and keep every canvas for ever to tell it of a change.
-    _css = (page.HERE / "live.css").read_text(encoding="utf-8")
-    svg = traitlets.Unicode().tag(sync=True)
-    scene = traitlets.Dict().tag(sync=True)
-    sliders = traitlets.List().tag(sync=True, **ipywidgets.widget_serialization)
-    note = traitlets.Unicode().tag(sync=True)
-    hold = traitlets.Bool(False).tag(sync=True)  # True while several knobs are being set
+    name: str  # a view gives each one its name
+
+    def validate(self, view: LiveView, value: Any) -> float:
+        low, high = view.knob(self.name).ends
+        return min(max(inputs.number(self.name, value), low), high)
 
 
-@dataclass(frozen=True)
-class Knob:
-    """What one slider drives.
+class KnobValues(traitlets.TraitType):
+    """The values of several knobs in the scene's units (rad or length); what is read is a copy."""
 
-    `low`, `high` and `home` are in the scene's units (rad or length). The slider shows them
-    divided by `scale`, in `unit`, and an arrow key moves it by `step` of those.
+    default_value = np.zeros(0)
+
+    def get(self, view: traitlets.HasTraits, cls: type | None = None) -> np.ndarray:
+        return np.array(super().get(view, cls))
+
+    def set(self, view: LiveView, value: Any) -> None:  # type: ignore[override]  # views only
+        if isinstance(value, np.ndarray) and np.array_equal(value, self.get(view)):
+            return  # traitlets sets each value once more before it tells of a change
+        if view.settling:
+            super().set(view, np.array(value))
+        else:
+            view.move(value)
+
+
+class Control:
+    """One knob of a view, to be read and set like a slider: in degrees or in the view's unit.
+
+    Attributes
+    ----------
+    value : float
+        Setting it moves the picture; it stops at `min` and `max`.
+    name, description : str
+        The name of the view's trait, and what stands beside the slider.
+    min, max : float
     """
 
-    name: str
-    label: str
-    low: float
-    high: float
-    home: float = 0.0
-    unit: str = ""
-    scale: float = 1.0
-    step: float = 1.0
-    title: str = ""
-
-    @classmethod
-    def angle(cls, name: str, label: str, low: float = -math.pi, high: float = math.pi,
-              home: float = 0.0, title: str = "") -> Knob:
-        """A knob in degrees for an angle in radians."""
-        return cls(name, label, low, high, home, "°", math.radians(1), 1.0, title)
-
-    @classmethod
-    def length(cls, name: str, label: str, low: float, high: float, home: float = 0.0,
-               unit: str = "", title: str = "") -> Knob:
-        """A knob for a length; an arrow key moves it by about a fiftieth of its way."""
-        step = 10.0 ** math.floor(math.log10((high - low) / 20))
-        return cls(name, label, low, high, home, unit, 1.0, step, title)
-
-    def slider(self) -> ipywidgets.FloatSlider:
-        """An ordinary slider; host_jupyter.js makes its steps (see Joint there)."""
-        return ipywidgets.FloatSlider(step=None, **self._looks())
-
-    def fitted(self, slider: ipywidgets.FloatSlider | None) -> ipywidgets.FloatSlider:
-        """A slider made over to this knob, if one is given whose numbers look alike."""
-        looks = self._looks()
-        if slider is None or slider.readout_format != looks["readout_format"]:
-            return self.slider()
-        with slider.hold_sync():
-            slider.max = max(slider.max, looks["max"])  # never below the lower end
-            for trait in ("min", "max", "description", "tooltip"):
-                setattr(slider, trait, looks[trait])
-        return slider
-
-    def _looks(self) -> dict[str, Any]:
-        low, high = (round(end / self.scale, 9) for end in (self.low, self.high))
-        unit = f" ({self.unit})" if self.unit else ""
-        return {"min": low, "max": high, "value": min(max(self.home / self.scale, low), high),
-                "readout_format": f".{self.digits}f", "description": self.label + unit,
-                "tooltip": self.title or self.label}
+    def __init__(self, view: LiveView, knob: Knob) -> None:
+        self._view, self._knob = view, knob
+        self.name, (self.min, self.max) = knob.name, knob.ends
+        self.description = knob.label + (f" ({knob.unit})" if knob.unit else "")
 
     @property
-    def digits(self) -> int:
-        """Decimals that the slider shows."""
-        way = (self.high - self.low) / self.scale
-        return max(1 if self.unit == "°" else 0, math.ceil(1 - math.log10(way)))
+    def value(self) -> float:
+        return getattr(self._view, self.name)
 
-    @property
-    def suffix(self) -> str:
-        """The unit as it follows a number: '°' at once, others after a space."""
-        return self.unit if self.unit in ("", "°") else f" {self.unit}"
+    @value.setter
+    def value(self, value: float) -> None:
+        setattr(self._view, self.name, value)
+
+    def observe(self, handler: Callable, names: str = "value") -> None:
+        """Call `handler` with each change of the value, as `traitlets` does."""
+        inputs.choice("names", names, ("value",))
+        self._view.observe(handler, self.name)
+
+    def __repr__(self) -> str:
+        return f"{self.description}: {numbers([self.value])}, from {self.min:g} to {self.max:g}"
 
 
-class LiveView(ipywidgets.Box):
-    """A scene, the sliders of its knobs, and the numbers that follow them.
+class LiveView(anywidget.AnyWidget):
+    """A scene with its knobs, and the numbers that follow them.
+
+    Each knob is a trait of the view, in the unit of its slider (degrees or a length):
+    ``view.theta = 30`` moves the picture, ``view.observe(f, "theta")`` hears of it, and
+    ``ipywidgets.jslink((slider, "value"), (view, "theta"))`` ties it to any other widget.
 
     Parameters
     ----------
     scene : Scene
-    knobs : sequence of Knob
-        One per value in the scene's `q`.
-    name : str
-        What the picture shows.
-    panels : dict
-        Further data for mount.js: switches, table, poses.
-    below : sequence of widgets
-        Shown under the picture.
-    preset : str
-        Where the picture is seen from, one of the scene's.
-    show : sequence of str
-        Layers that are on to begin with.
+
+    Attributes
+    ----------
+    q : array
+        Values of the knobs (rad or length); setting it moves all at once.
 
     Examples
     --------
-    A view is indexed by the names of its knobs: ``view["theta"].value = 30``.
+    A view is indexed by the names of its knobs, too: ``view["theta"].value = 30``.
     """
 
     ALT = "Picture of the arm."  # how the words for the picture begin
 
-    def __init__(self, scene: Scene, knobs: Sequence[Knob], *, name: str = "",
-                 panels: dict | None = None, below: Sequence[ipywidgets.Widget] = (),
-                 preset: str | None = None, show: Sequence[str] = ()) -> None:
-        self._show, self.sliders = tuple(show), []
-        self._take(scene, knobs, name, preset)
-        self._canvas = Canvas(**self._picture(panels))
-        self._panel = ipywidgets.VBox(self.sliders)
-        self._panel.add_class("kl-joints")
-        super().__init__([self._canvas, self._panel, *below])
-        self.add_class("kl-view")
-        if scene.wide:
-            self.add_class("kl-wide")
+    _esm = bundle.module("host_jupyter.js")
+    _css = bundle.style("live.css")
+    scene = traitlets.Dict().tag(sync=True)
+    note = traitlets.Unicode().tag(sync=True)
+    formula = traitlets.Unicode().tag(sync=True)  # MathML
+    q = KnobValues()
 
-    def __getitem__(self, name: str) -> ipywidgets.FloatSlider:
-        names = [knob.name for knob in self._knobs]
-        return self.sliders[names.index(inputs.choice("name", name, tuple(names)))]
+    def __init__(self, scene: Scene, *, formula: str = "") -> None:
+        self.settling = False  # True while traits that belong together are being set
+        self._named: dict[str, Knob] = {}
+        self._knobs_ever: set[str] = set()
+        self._take(scene, scene.begin)
+        super().__init__(scene=scene.data(), formula=formula)
 
-    def close(self) -> None:
-        """Close the view and everything that it is made of; its memory is free again."""
-        for slider in getattr(self, "sliders", ()):  # none where a wrong argument was refused
-            slider.unobserve_all()
-        for part in parts(self):
-            ipywidgets.Widget.close(part)
+    # ---- knobs ----
+
+    def knob(self, name: str) -> Knob:
+        """The knob of this name; ValueError if this view has none."""
+        return self._named[inputs.choice("name", name, tuple(self._named))]
+
+    def __getitem__(self, name: str) -> Control:
+        return Control(self, self.knob(name))
 
     @property
-    def readings(self) -> dict[str, tuple[np.ndarray, ...]]:
+    def controls(self) -> list[Control]:
+        """Every knob, in order."""
+        return [Control(self, knob) for knob in self._scene.knobs]
+
+    def move(self, q: Any) -> None:
+        """Set `q`; what is beyond a limit stops there, and the view says so."""
+        n = len(self._scene.knobs)
+        self._move(inputs.shaped("q", q, (n,), f"{n} values, one for each slider"))
+
+    @property
+    def readings(self) -> dict[str, tuple[np.ndarray | str, ...]]:
         """The parts of each formula under the picture, by its name."""
         return self._scene.read(self._values)
 
-    @property
-    def _values(self) -> np.ndarray:
-        """Values of the knobs in the scene's units."""
-        return np.array([slider.value for slider in self.sliders]) * self._scales
+    # ---- pages ----
 
     def save_html(self, path: str | os.PathLike) -> Path:
         """Write the view, as it stands now, as one page that moves without Jupyter and network.
 
         The page holds all it needs and may be opened from a disk, put on a web server or into a
         course system. ``#q=30,40,-20`` behind its address sets the sliders; **Copy link** copies
-        that. Widgets beside the view that need Python stay behind, and the page says so. An
-        older file of this name is replaced.
+        that. An older file of this name is replaced.
 
         Parameters
         ----------
@@ -187,134 +172,144 @@ class LiveView(ipywidgets.Box):
         ...     ArmView(robots.alpha_ii()).save_html(folder + "/arm.html").name
         'arm.html'
         """
-        return page.save(path, self._name, self.html(address=True))
+        return page.save(path, self._scene.name, self.html(address=True))
 
     def html(self, *, address: bool = False) -> str:
-        """The view as a piece of a page, for `page.script` and `page.style` to move."""
-        off = {entry["layer"] for entry in self._canvas.scene["layers"] if not entry["on"]}
+        """The view as a piece of a page that has kinlab's script and style (`bundle`)."""
+        off = {switch.layer for switch in self._scene.switches} - set(self._scene.shown)
         parts = [item.gid for item in self._scene.items if item.layer in off]
-        data = {"scene": self._canvas.scene, "q": self._values.tolist()}
-        return page.part(page.hidden(self._still(), parts), data, repr(self),
-                         map(_carried, self.children[2:]), address=address)
+        data = {"scene": self.scene, "q": self._values.tolist()}
+        return page.part(page.hidden(self._still(), parts), data, repr(self), self.formula,
+                         address=address)
+
+    # ---- the picture for places where no widget runs ----
 
     def _still(self) -> str:
         """The picture as it stands now, with every layer, as SVG."""
         every = {item.layer for item in self._scene.items}
-        return worker.svg(self._scene, self._values, self._preset, tuple(every))
-
-    def _take(self, scene: Scene, knobs: Sequence[Knob], name: str, preset: str | None) -> None:
-        """Show another scene. Sliders stay where they fit, so that nothing piles up."""
-        spare = self.sliders
-        self._scene, self._knobs, self._name = scene, tuple(knobs), name
-        self._preset = preset or next(iter(scene.presets))
-        self._scales = np.array([knob.scale for knob in knobs])
-        self.sliders = [knob.fitted(spare[k] if k < len(spare) else None)
-                        for k, knob in enumerate(knobs)]
-        for slider in self.sliders:
-            if slider not in spare:
-                slider.observe(self._forget, "value")
-        for slider in spare:
-            if slider not in self.sliders:
-                for part in parts(slider):
-                    part.close()
-
-    def _picture(self, panels: dict | None) -> dict:
-        """What the canvas needs."""
-        return {"svg": self._still(), "scene": self._data() | (panels or {}),
-                "sliders": self.sliders}
-
-    def _replace(self, scene: Scene, knobs: Sequence[Knob], values: np.ndarray, name: str,
-                 panels: dict, preset: str) -> None:
-        """Another scene in the place of this one, in one step for the browser."""
-        self._canvas.hold = True
-        self._take(scene, knobs, name, preset)
-        note = self._set(values)
-        if self._panel.children != tuple(self.sliders):
-            self._panel.children = self.sliders
-        with self._canvas.hold_sync():
-            for trait, value in self._picture(panels).items():
-                setattr(self._canvas, trait, value)
-            self._canvas.note, self._canvas.hold = note, False
-
-    def _move(self, values: np.ndarray) -> None:
-        """Set all knobs at once; those beyond a limit stop there, and the view says so."""
-        self._canvas.hold = True
-        note = self._set(values)
-        self._canvas.hold = False
-        self._canvas.note = note
-
-    def _set(self, values: np.ndarray) -> str:
-        """Set all sliders within their limits, and say which stopped there."""
-        low, high = np.array([(knob.low, knob.high) for knob in self._knobs]).T
-        allowed = np.clip(values, low, high)
-        for slider, value in zip(self.sliders, allowed / self._scales):
-            slider.value = value
-        stopped = np.abs(allowed - values) > 1e-9 * (high - low)
-        return "; ".join(
-            f"{knob.label} stops at its limit, {slider.value:.6g}{knob.suffix}"
-            for knob, slider, beyond in zip(self._knobs, self.sliders, stopped) if beyond)
+        return worker.svg(self._scene, self._values, self._scene.seen_from, tuple(every))
 
     def __repr__(self) -> str:
-        values = [f"{knob.name}={numbers([slider.value])}{knob.suffix}"
-                  for knob, slider in zip(self._knobs, self.sliders)]
-        formulas = [reading.text.format(*map(_said, self.readings[reading.name]))
+        values = [f"{knob.name}={numbers([getattr(self, knob.name)])}{knob.suffix}"
+                  for knob in self._scene.knobs]
+        read = self.readings
+        formulas = [reading.text.format(*map(_said, read[reading.name]))
                     for reading in self._scene.readings]
-        return "\n".join([f"{type(self).__name__}({', '.join([repr(self._name), *values])})",
+        return "\n".join([f"{type(self).__name__}({', '.join([repr(self._scene.name), *values])})",
                           *formulas])
 
-    def _repr_mimebundle_(self, **kwargs: Any) -> tuple[dict, dict] | dict:
+    def _repr_mimebundle_(  # type: ignore[override]  # IPython takes a dict alone, too
+            self, **kwargs: Any) -> tuple[dict, dict] | dict:
         """The widget, and for places where none runs a still picture and a text."""
-        bundle = super()._repr_mimebundle_(**kwargs)
-        if bundle is None:
+        shown = super()._repr_mimebundle_(**kwargs)
+        if shown is None:
             return {}
-        still = worker.png(self._scene, self._values, self._preset, self._show)
-        bundle |= {"text/plain": repr(self), "image/png": still}
-        return bundle, {"image/png": {"alt": f"{self.ALT} {self!r}"}}
+        widget, metadata = shown if isinstance(shown, tuple) else (shown, {})
+        others, words = self._elsewhere()
+        return (widget | others, metadata | words) if metadata | words else widget | others
 
-    def _forget(self, _: Any) -> None:
-        """A knob has moved: what was remarked about the setting before no longer holds."""
-        self._canvas.note = ""
+    def _elsewhere(self) -> tuple[dict, dict]:
+        """A text and a picture, with words for those who cannot see it."""
+        still = worker.png(self._scene, self._values, self._scene.seen_from, self._scene.shown)
+        return ({"text/plain": repr(self), "image/png": still},
+                {"image/png": {"alt": f"{self.ALT} {self!r}"}})
 
-    def _data(self) -> dict:
-        knobs = self._knobs
-        home = [min(max(knob.home, knob.low), knob.high) for knob in knobs]
-        return self._scene.data() | {
-            "name": self._name, "preset": self._preset, "layers": [], "pose": None,
-            "joints": [asdict(knob) | {"suffix": knob.suffix, "digits": knob.digits}
-                       for knob in knobs],
-            "decimals": decimals(self._scene.radius), "home": home, "poses": [],
-            "target": None, "radius": self._scene.radius,
-            "zero": [min(max(0.0, knob.low), knob.high) for knob in knobs],
-        }
+    def close(self) -> None:
+        """Close the view; its memory is free again."""
+        if self.comm is not None:
+            self.unobserve_all()
+            self.layout.close()
+            super().close()
+
+    # ---- values: the knobs, `q` and the picture agree whoever has set one of them ----
+
+    def _take(self, scene: Scene, values: Numbers) -> None:
+        """Show a scene from now on, at these values; its knobs become traits."""
+        self._scene = scene
+        self._named = {knob.name: knob for knob in scene.knobs}
+        self._in_q = slice(0, scene.target.joints if scene.target else None)
+        self._scales = np.array([knob.scale for knob in scene.knobs])
+        self._values = self._within(values)
+        fresh = [knob.name for knob in scene.knobs if knob.name not in self._knobs_ever]
+        for name in fresh:
+            if not name.isidentifier() or hasattr(self, name) or fresh.count(name) > 1:
+                raise ValueError(f"name: a knob cannot be called {name!r}; choose a name for "
+                                 "Python that the view does not have yet")
+        self._knobs_ever.update(fresh)
+        self.add_traits(**{name: KnobValue(0.0).tag(sync=True) for name in fresh})
+        self.observe(self._heard, fresh)
+        with self._settled():
+            self._show_values()
+
+    def _replace(self, scene: Scene, values: np.ndarray) -> None:
+        """Another scene in the place of this one, in one step for the browser."""
+        with self.hold_sync(), self.hold_trait_notifications():
+            gone = set(self._named) - {knob.name for knob in scene.knobs}
+            self._take(scene, values)
+            kept = [key for key in self.keys if key not in gone]
+            self.keys: list[str] = kept + [name for name in self._named if name not in kept]
+            self.scene = scene.data()
+            self.note = self._stops(values)
+
+    def _move(self, values: Numbers) -> None:
+        """Set all knobs at once; those beyond a limit stop there, and the view says so."""
+        wanted, self._values = np.asarray(values, float), self._within(values)
+        with self.hold_sync(), self._settled():
+            self._show_values()
+            self.note = self._stops(wanted)
+
+    def _show_values(self) -> None:
+        """Bring the traits to the values; 30 degrees are 30.0, not 29.999999999999996."""
+        for name, value in zip(self._named, self._values / self._scales):
+            setattr(self, name, float(f"{value:.13g}"))
+        self._shown = [getattr(self, name) for name in self._named]
+        self.q = self._values[self._in_q]
+
+    @contextmanager
+    def _settled(self) -> Iterator[None]:
+        """Set several traits; who observes one of them finds all of them set, and may set more."""
+        with self.hold_trait_notifications():
+            before, self.settling = self.settling, True
+            try:
+                yield
+            finally:
+                self.settling = before
+
+    def _heard(self, _: Any) -> None:
+        """A knob has been set, by Python or by a hand: those that moved, and nothing else."""
+        now = [getattr(self, name) for name in self._named]
+        moved = [k for k, (a, b) in enumerate(zip(now, self._shown)) if a != b]
+        if not moved:
+            return
+        self._shown = now
+        self._values[moved] = np.multiply(now, self._scales)[moved]
+        with self._settled():
+            self._follow(moved)
+            self.q = self._values[self._in_q]
+            self.note = ""  # what was remarked about the setting before no longer holds
+
+    def _follow(self, moved: list[int]) -> None:
+        """Move further knobs after some have moved, where they depend on each other."""
+
+    def _within(self, values: Numbers) -> np.ndarray:
+        return np.array([knob.within(float(value))
+                         for knob, value in zip(self._scene.knobs, values)])
+
+    def _stops(self, wanted: np.ndarray) -> str:
+        """Which knobs stopped at a limit on their way to the values wanted."""
+        return "; ".join(
+            f"{knob.label} stops at its limit, {shown:.6g}{knob.suffix}"
+            for knob, shown, value, reached in zip(self._scene.knobs, self._shown, wanted,
+                                                   self._values)
+            if abs(reached - value) > 1e-9 * (knob.high - knob.low))
 
 
-def _carried(widget: ipywidgets.Widget) -> str:
-    """What a page can show of a widget beside the view: its text, or that it stayed behind."""
-    if isinstance(widget, ipywidgets.HTMLMath):
-        return f'<div class="kl-math">{page.typeset(widget.value)}</div>'
-    if isinstance(widget, ipywidgets.HTML):
-        return f"<div>{widget.value}</div>"
-    return '<p class="kl-needs">What stands here in the notebook needs JupyterLab.</p>'
-
-
-def parts(widget: ipywidgets.Widget) -> list[ipywidgets.Widget]:
-    """A widget, its layout and style, and those of all widgets within it."""
-    own = [getattr(widget, name) for name in ("layout", "style") if widget.has_trait(name)]
-    inner = [part for child in getattr(widget, "children", ()) for part in parts(child)]
-    return [widget, *own, *inner]
-
-
-def decimals(size: float) -> int:
-    """Decimals that tell a thousandth of a picture's size: 1 for millimetres, 3 for metres."""
-    return min(3, max(1, 3 - math.floor(math.log10(size))))
-
-
-def _said(values: Sequence[float] | str) -> str:
+def _said(values: Numbers | str) -> str:
     if isinstance(values, str):
         return values
     return f"({numbers(values)})" if len(values) > 1 else numbers(values)
 
 
-def numbers(values: Sequence[float]) -> str:
+def numbers(values: Numbers) -> str:
     """Values as text, rounded to four decimals."""
     return ", ".join(f"{round(float(value), 4) + 0.0:.8g}" for value in values)

@@ -7,15 +7,14 @@ from collections.abc import Mapping, Sequence
 from threading import RLock
 from typing import Any
 
-import anywidget
-import ipywidgets
 import numpy as np
 import traitlets
 
 from ..arms import inputs
-from ..arms.arm import Arm, _check_arm
+from ..arms.arm import Arm, check_arm
+from ..arms.joints import first_pose
 from ..arms.link import REVOLUTE, revolute
-from ..browser import bundle, page
+from ..browser import bundle, mathml
 from ..drawing import worker
 from ..drawing.arm_scene import arm_scene
 from ..tables.as_code import from_code, to_code
@@ -24,7 +23,6 @@ from ..tables.cells import MILLIMETRES
 from ..tables.other_convention import other_reading
 from ..tables.table import DHTable
 from .arm_view import ArmView, joints_text
-from .live import parts
 from .table_panels import compared_html, lengths_text, reasons, signs_html, state, table_text
 
 EDITS = ("with_cell", "with_kind", "with_row", "without_row", "with_row_moved", "with_length",
@@ -38,19 +36,12 @@ _ODD = ("With so many angles that are not multiples of 90° the closed form woul
         "The numbers of T₀ₙ stand beside the picture.")
 
 
-class Grid(anywidget.AnyWidget):
-    """The table's cells and buttons; table.js does the work."""
-
-    _esm = bundle.module("table.js")
-    _css = page.HERE / "table.css"
-    state = traitlets.Dict().tag(sync=True)
-
-
-class DHTableEditor(ipywidgets.VBox):
-    """A DH table to type in, with the live arm under it.
+class DHTableEditor(ArmView):
+    """A live arm with its DH table above it, to type in.
 
     The arm follows each edit at once. While a cell cannot be read it is marked, the reason stands
-    below its row, and the arm stays as it was.
+    below its row, and the arm stays as it was. All that an `ArmView` has is here, too: `q`, `T`,
+    `joints`, a trait for each joint.
 
     Parameters
     ----------
@@ -69,7 +60,7 @@ class DHTableEditor(ipywidgets.VBox):
         The table as typed: its `errors`, and its edits, each of which gives a new table.
         Setting it is one step that `undo` takes back.
     view : ArmView
-        The live arm.
+        The live arm, which is the editor itself.
 
     Raises
     ------
@@ -93,20 +84,22 @@ class DHTableEditor(ipywidgets.VBox):
 . and not as ,
     """
 
+    _esm = bundle.module("host_table.js")
+    _css = bundle.style("live.css", "table.css")
+    cells = traitlets.Dict().tag(sync=True)    # the table for the browser
+    panel = traitlets.Unicode().tag(sync=True)  # what is open under it, as HTML
+
     def __init__(self, arm: Arm | None = None, *, angles: str = "deg",
                  lengths: Mapping[str, float] | None = None) -> None:
         self._table = _first(arm, angles, {} if lengths is None else lengths)
-        self._past, self._future = deque(maxlen=MOST_STEPS), []
-        self._arm, self._shown = self._table.arm, self._table
-        self._one_at_a_time = RLock()  # cells and the browser may run in two threads
-        self._said, self._open, self._filled = "", "", ("", self._arm)
-        self.view, self._grid = ArmView(self._arm), Grid()
-        self._html, self._math = ipywidgets.HTML(), ipywidgets.HTMLMath()
-        for panel in (self._html, self._math):
-            panel.add_class("kl-panel")
-        self._grid.on_msg(self._hear)
-        super().__init__([self._grid, self._html, self._math, self.view])
-        self.add_class("kl-editor")
+        self._past: deque[DHTable] = deque(maxlen=MOST_STEPS)
+        self._future: deque[DHTable] = deque()
+        self._shown_table, self._one_at_a_time = self._table, RLock()  # cells may run in threads
+        self._said, self._open = "", ""
+        self._filled: tuple[str, Arm | None] = "", None
+        assert self._table.arm is not None  # `_first` lets no errors through
+        super().__init__(self._table.arm)
+        self.on_msg(self._hear)
         self._tell()
 
     # ---- from Python ----
@@ -120,6 +113,10 @@ class DHTableEditor(ipywidgets.VBox):
         self.table = _typed(arm, self._table.angles)
 
     @property
+    def view(self) -> DHTableEditor:
+        return self
+
+    @property
     def table(self) -> DHTable:
         return self._table
 
@@ -128,7 +125,7 @@ class DHTableEditor(ipywidgets.VBox):
         if not isinstance(table, DHTable):
             raise ValueError(f"table: expected a DHTable, got {inputs.brief(table)}; "
                              "make one from editor.table")
-        with self._one_at_a_time:
+        with self._one_at_a_time, self.hold_sync():
             self._said = ""
             if table != self._table:
                 self._past.append(self._table)
@@ -139,6 +136,12 @@ class DHTableEditor(ipywidgets.VBox):
     def set(self, row: int, column: str, text: str) -> None:
         """Type into a cell: 'theta', 'd', 'a', 'alpha', 'low', 'high' or 'home' of a row."""
         self.table = self._table.with_cell(row, column, text)
+
+    def follow(self, arm: Arm, q: Any = None) -> None:
+        """Load an arm, and bring it to joint values `q`, its home if left out."""
+        q = first_pose(arm, q)
+        self.arm = arm
+        self.q = q
 
     def undo(self) -> None:
         """Take back the last edit."""
@@ -161,11 +164,6 @@ class DHTableEditor(ipywidgets.VBox):
         code = isinstance(text, str) and ("Arm(" in text or text.lstrip().startswith(_IMPORTS))
         self.table = from_code(text).in_angles(self._table.angles) if code else from_csv(text)
 
-    def close(self) -> None:
-        """Close the table, the arm and everything that they are made of."""
-        for part in parts(self):
-            ipywidgets.Widget.close(part)
-
     def __repr__(self) -> str:
         rows = table_text(self._table)
         widths = [max(map(len, column)) for column in zip(*rows)]
@@ -176,21 +174,19 @@ class DHTableEditor(ipywidgets.VBox):
                  f"lengths in {self._table.unit}, * marks the joint variable)")
         return "\n".join([title, *lines, *lengths_text(self._table), *reasons(self._table)])
 
-    def _repr_mimebundle_(self, **kwargs: Any) -> dict:
-        """The widget, and its text for places where none runs."""
-        return (super()._repr_mimebundle_(**kwargs) or {}) | {"text/plain": repr(self)}
+    def _elsewhere(self) -> tuple[dict, dict]:
+        return {"text/plain": repr(self)}, {}
 
     # ---- from the browser ----
 
     def _hear(self, _: Any, content: Any, buffers: Any) -> None:
         """What the student did. What cannot be done is said beside the table."""
         with self._one_at_a_time:
-            self._said = ""
             try:
                 self._do(content["do"], content.get("with", []))
             except ValueError as error:
                 self._said = str(error).removeprefix("text: ")
-            self._tell()
+                self._tell()
 
     def _do(self, what: str, arguments: Sequence) -> None:
         if what in EDITS:
@@ -198,12 +194,14 @@ class DHTableEditor(ipywidgets.VBox):
         elif what in ("undo", "redo", "load"):
             getattr(self, what)(*arguments)
         elif what == "open":
-            self._open = inputs.choice("panel", *arguments, PANELS)
+            self._open, self._said = inputs.choice("panel", arguments[0], PANELS), ""
+            self._tell()
 
     # ---- to the browser ----
 
-    def _step(self, back: Any, ahead: Any) -> None:
-        with self._one_at_a_time:
+    def _step(self, back: deque[DHTable], ahead: deque[DHTable]) -> None:
+        with self._one_at_a_time, self.hold_sync():
+            self._said = ""
             if back:
                 ahead.append(self._table)
                 self._show(back.pop())
@@ -213,30 +211,36 @@ class DHTableEditor(ipywidgets.VBox):
         """Take a table; the arm follows if the table can be read."""
         self._table, arm = table, table.arm
         if arm is not None and not _alike(arm, self._arm):
-            self.view.follow(arm, self._values(table, arm))
-            self._arm = arm
+            super().follow(arm, self._values_for(table, arm))
         if arm is not None:
-            self._shown = table
+            self._shown_table = table
 
-    def _values(self, table: DHTable, arm: Arm) -> np.ndarray:
+    def _values_for(self, table: DHTable, arm: Arm) -> np.ndarray:
         """Joint values: as they were where the joint was there before, else home."""
-        units = MILLIMETRES.get(self._shown.unit), MILLIMETRES.get(table.unit)
-        longer = float(units[0] / units[1]) if all(units) else 1.0
+        old, new = MILLIMETRES.get(self._shown_table.unit), MILLIMETRES.get(table.unit)
+        longer = float(old / new) if old and new else 1.0
         before = {(row.key, row.kind): value * (1.0 if row.kind == REVOLUTE else longer)
-                  for row, value in zip(self._shown.rows, self.view.q)}
+                  for row, value in zip(self._shown_table.rows, self.q)}
         return np.array([before.get((row.key, row.kind), home)
                          for row, home in zip(table.rows, arm.home)])
 
     def _tell(self) -> None:
-        """Bring the browser's table and panels up to date."""
-        self._grid.state = state(self._table) | {
-            "undo": bool(self._past), "redo": bool(self._future), "open": self._open,
-            "said": self._said, "code": to_code(self._table) if self._table.arm else ""}
-        if self._filled != (self._open, self._arm):
-            self._filled = self._open, self._arm
-            self._math.value = self._formula() if self._open in ("closed", "symbols") else ""
-            self._html.value = {"signs": signs_html, "compare": self._compared}.get(
-                self._open, lambda arm: "")(self._arm)
+        """Bring the browser's table and panel up to date."""
+        with self.hold_sync():
+            self.cells = state(self._table) | {
+                "undo": bool(self._past), "redo": bool(self._future), "open": self._open,
+                "said": self._said, "code": to_code(self._table) if self._table.arm else ""}
+            if self._filled != (self._open, self._arm):
+                self._filled = self._open, self._arm
+                self.panel = self._panel()
+
+    def _panel(self) -> str:
+        """What is open under the table, as HTML."""
+        if self._open == "signs":
+            return signs_html(self._arm)
+        if self._open == "compare":
+            return self._compared()
+        return self._formula() if self._open else ""
 
     def _formula(self) -> str:
         from ..arms.symbolic import closed_form
@@ -245,18 +249,19 @@ class DHTableEditor(ipywidgets.VBox):
                if abs(np.sin(2 * angle)) > 1e-9]
         if len(odd) > MOST_ODD_ANGLES:
             return _ODD
-        latex = closed_form(self._arm, lengths={"closed": "numbers"}.get(
-            self._open, self._open)).latex
-        tool = "n" if np.array_equal(self._arm.tool, np.eye(4)) else "E"
-        formula = f"$\\displaystyle T_0^{tool} = {latex}$".replace("^n", f"^{{{self._arm.n}}}")
-        return formula if len(latex) <= LONGEST_FORMULA else _ODD
+        lengths = "numbers" if self._open == "closed" else "symbols"
+        latex = closed_form(self._arm, lengths=lengths).latex
+        if len(latex) > LONGEST_FORMULA:
+            return _ODD
+        tool = self._arm.n if np.array_equal(self._arm.tool, np.eye(4)) else "E"
+        return mathml.named(f"T_0^{{{tool}}} = {latex}", self._arm.n)
 
-    def _compared(self, arm: Arm) -> str:
-        q = self.view.q
+    def _compared(self) -> str:
+        arm, q = self._arm, self.q
         reading = other_reading(arm, q)
         still = worker.png(arm_scene(reading.numbers), q, "3-D", ("frames", "labels"))
         picture = base64.b64encode(still).decode()
-        at = joints_text(arm, [slider.value for slider in self.view.joints])
+        at = joints_text(arm, [joint.value for joint in self.joints])
         return compared_html(arm, reading, at, picture)
 
 
@@ -276,7 +281,7 @@ def _first(arm: Arm | None, angles: str, lengths: Any) -> DHTable:
 
 def _typed(arm: Any, angles: str) -> DHTable:
     """The table of an arm, if its numbers are such as a table takes."""
-    _check_arm(arm)
+    check_arm(arm)
     table = DHTable.of(arm, angles)
     if table.errors:
         raise ValueError(f"arm: expected numbers that fit a table; {reasons(table)[0]}")

@@ -80,7 +80,7 @@ def plain(latex):
     return re.sub(r"(?<=[\w)]) +(?=[\w(])", "*", latex)
 
 
-def joint_values(arm, seed=0):
+def joint_array(arm, seed=0):
     return np.random.default_rng(seed).uniform(-3, 3, arm.n).tolist()
 
 
@@ -183,7 +183,7 @@ def test_intelledex():
 @pytest.mark.parametrize("lengths", ["numbers", "symbols"])
 def test_every_stretch_equals_the_numbers(robot, lengths):
     arm = robot()
-    q = joint_values(arm)
+    q = joint_array(arm)
     for start in range(arm.n + 1):
         for stop in [*range(start, arm.n + 1), None]:
             form = kl.closed_form(arm, start, stop, lengths=lengths)
@@ -193,7 +193,7 @@ def test_every_stretch_equals_the_numbers(robot, lengths):
 @course
 def test_every_entry_reads_as_its_number(robot):
     arm = robot()
-    q = joint_values(arm)
+    q = joint_array(arm)
     for lengths in ("numbers", "symbols"):
         form = kl.closed_form(arm, lengths=lengths)
         got = [[read(entry, form, q) for entry in row] for row in form.entries]
@@ -203,7 +203,7 @@ def test_every_entry_reads_as_its_number(robot):
 @given(exact_arms, st.integers(0, 99))
 @settings(max_examples=25)
 def test_random_arms_equal_their_numbers_and_read_so(arm, seed):
-    q = joint_values(arm, seed)
+    q = joint_array(arm, seed)
     want = textbook.frames(arm, q)[-1]
     for lengths in ("numbers", "symbols"):
         form = kl.closed_form(arm, lengths=lengths)
@@ -218,7 +218,7 @@ def test_random_arms_equal_their_numbers_and_read_so(arm, seed):
 @given(arms(most=3))
 @settings(max_examples=20)
 def test_any_angle_equals_its_number(arm):
-    q = joint_values(arm)
+    q = joint_array(arm)
     close(numbers(kl.closed_form(arm), q), textbook.frames(arm, q)[-1], atol=1e-9)
 
 
@@ -226,7 +226,7 @@ def test_any_angle_equals_its_number(arm):
 @settings(max_examples=20)
 def test_stretches_chain(arm, data):
     middle = data.draw(st.integers(1, arm.n))  # the room (0) has the base in it
-    q = joint_values(arm)
+    q = joint_array(arm)
     first, second = kl.closed_form(arm, 0, middle), kl.closed_form(arm, middle)
     close(numbers(first, q) @ numbers(second, q), textbook.frames(arm, q)[-1], atol=1e-9)
     assert kl.closed_form(arm, middle, middle).matrix == sp.eye(4)
@@ -274,7 +274,7 @@ def test_numpy_integers_name_frames():
 def test_more_than_nine_joints():
     """C12 is cos(theta_12) there, so the sum of two angles needs a comma."""
     arm = kl.Arm([kl.revolute(a=1, alpha=pi / 2 if i == 10 else 0) for i in range(12)])
-    form, q = kl.closed_form(arm), joint_values(arm)
+    form, q = kl.closed_form(arm), joint_array(arm)
     assert form.entries[2][0] == "S12"
     assert form.entries[0][2] == "S1,2,3,4,5,6,7,8,9,10,11"
     assert " + C1 + C1,2 + C1,2,3 + " in form.entries[0][3]

@@ -145,7 +145,7 @@ def live(notebook):
         page = notebook(*cells)
         found = page.locator(".jp-Notebook:visible .kl-view")
         found.nth(views - 1).locator(".kl-picture svg").wait_for()
-        found.nth(views - 1).locator(".widget-readout").last.wait_for()
+        found.nth(views - 1).locator(".kl-field").last.wait_for()
         return [found.nth(k) for k in range(views)]
 
     return show

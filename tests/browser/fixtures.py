@@ -14,8 +14,7 @@ import numpy as np
 import kinlab as kl
 from kinlab.arms.motions import ROTATE, TRANSLATE
 from kinlab.drawing.arm_scene import arm_scene
-from kinlab.drawing.scene import Scene, Step
-from kinlab.drawing.velocity import Velocity
+from kinlab.drawing.scene import Scene, Step, Velocity
 from kinlab.tables.cells import angle_text, read_angle, read_length
 
 HERE = Path(__file__).parent

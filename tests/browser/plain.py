@@ -1,6 +1,4 @@
 """mount.js in a plain page: how it is loaded and mounted there, and what it has painted."""
-import anywidget
-
 from kinlab.browser import bundle
 
 SOURCE = bundle.module("mount.js") + "export { frames, reach };\n"
@@ -8,7 +6,7 @@ LOAD = """async source => {
     const url = URL.createObjectURL(new Blob([source], {type: 'text/javascript'}));
     window.kinlab = await import(url);
 }"""
-MOUNT = """([svg, scene, q]) => {
+MOUNT = """([scene, q]) => {
     window.listeners = new Set();
     window.joints = {
         q, read: () => joints.q,
@@ -16,7 +14,7 @@ MOUNT = """([svg, scene, q]) => {
         listen(listener) { listeners.add(listener); return () => listeners.delete(listener); },
     };
     document.body.innerHTML = '<div id="arm"></div>';
-    window.live = kinlab.mount(document.getElementById('arm'), svg, scene, joints);
+    window.live = kinlab.mount(document.getElementById('arm'), scene, joints);
 }"""
 PAINTED = """() => new Promise(done => requestAnimationFrame(() => requestAnimationFrame(() => {
     const groups = [...document.querySelectorAll('svg g[id]')].filter(g => g.firstElementChild);
@@ -30,7 +28,3 @@ PAINTED = """() => new Promise(done => requestAnimationFrame(() => requestAnimat
     });
 })))"""
 
-
-def canvas(view):
-    """The part of a view that holds its picture and scene."""
-    return next(child for child in view.children if isinstance(child, anywidget.AnyWidget))

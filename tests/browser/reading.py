@@ -29,8 +29,7 @@ READ = """view => {
         order: named.map(g => g.id),
         cells: [...view.querySelectorAll('.kl-pose tbody tr')].map(row =>
             [...row.cells].map(cell => Number(cell.textContent.replace('\u2212', '-')))),
-        readouts: [...view.querySelectorAll('.widget-readout')].map(text)
-            .map(value => Number(value.replace('\u2212', '-'))),
+        readouts: [...view.querySelectorAll('.kl-field')].map(field => Number(field.value)),
         remark: text(view.querySelector('.kl-remark')),
     };
 }"""
@@ -119,9 +118,8 @@ def from_units(robot, values) -> np.ndarray:
 
 def wait_for_readouts(view: Locator, values, digits: int = 1) -> None:
     """Wait until the sliders show these values."""
-    for readout, value in zip(view.locator(".widget-readout").all(), values):
-        text = f"{round(value, digits) + 0.0:.{digits}f}"
-        expect(readout).to_have_text(text.replace("-", "\u2212"))
+    for field, value in zip(view.locator(".kl-field").all(), values):
+        expect(field).to_have_value(f"{round(value, digits) + 0.0:.{digits}f}")
 
 
 def wait_for_kernel(page: Page, robot, values, name: str = "view") -> np.ndarray:

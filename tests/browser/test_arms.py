@@ -18,10 +18,11 @@ import kinlab as kl
 COURSE = [kl.robots.two_link, kl.robots.practical_six_link, kl.robots.cylindrical,
           kl.robots.exam_2018, kl.robots.alpha_ii, kl.robots.intelledex_660t]
 WATCH = """(view, k) => {
-    const handle = view.querySelectorAll('.widget-readout')[k], values = new Set();
+    const field = view.querySelectorAll('.kl-field')[k], values = new Set();
+    const range = view.querySelectorAll('[type=range]')[k];
     const tool = view.querySelector('#tool path'), pictures = new Set();
-    new MutationObserver(() => values.add(handle.textContent)).observe(
-        handle, {childList: true, characterData: true, subtree: true});
+    new MutationObserver(() => values.add(field.value)).observe(
+        range, {attributeFilter: ['aria-valuetext']});
     new MutationObserver(() => pictures.add(tool.getAttribute('d'))).observe(
         tool, {attributes: true});
     window.watched = () => [[...values], [...pictures]];

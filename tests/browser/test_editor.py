@@ -25,7 +25,7 @@ def table(live):
 def cell(editor, row, letter):
     """A cell by its accessible name: 'a' of row 2 begins with 'a₂, '."""
     return editor.get_by_label(f"{letter}{'₀₁₂₃₄₅₆₇₈₉'[row]}, ", exact=False).and_(
-        editor.locator("input"))
+        editor.locator(".kl-cell"))
 
 
 def button(editor, name):
@@ -137,7 +137,7 @@ def test_rows_come_go_and_move(table):
     expect(cell(editor, 6, "θ")).to_be_focused()
     expect(editor.locator(".kl-joints").get_by_role("slider")).to_have_count(6)
     editor.get_by_label("Type of joint 6").select_option("prismatic")
-    expect(editor.locator(".kl-joints .widget-label").nth(5)).to_have_text("d₆ (mm)")
+    expect(editor.locator(".kl-knob").nth(5)).to_have_text("d₆mm")
     expect(editor.locator(".kl-star").nth(5)).to_contain_text("d₆*")
     editor.get_by_role("button", name="Remove row 1").click()
     expect(editor.get_by_label("Type of joint 6")).to_have_count(0)
@@ -253,7 +253,7 @@ def test_panels_on_demand(table):
     editor = table()
     panel = editor.locator(".kl-panel")
     button(editor, "Closed form").click()
-    editor.locator(".kl-panel mjx-container").first.wait_for()
+    editor.locator(".kl-panel math").first.wait_for()
     button(editor, "Sign pattern").click()
     expect(editor.get_by_role("table", name="Signs")).to_be_visible()
     button(editor, "Compare with modified").click()

@@ -6,7 +6,14 @@ import numpy as np
 import pytest
 from lab import open_notebook, run_all, run_code, shut_down_kernels
 from playwright.sync_api import expect
-from reading import assert_picture, assert_table, read, wait_for_kernel, wait_for_readouts
+from reading import (
+    assert_picture,
+    assert_table,
+    read,
+    settle,
+    wait_for_kernel,
+    wait_for_readouts,
+)
 
 import kinlab as kl
 
@@ -22,13 +29,14 @@ LISTEN = """view => {
     const kernel = jupyterapp.shell.currentWidget.sessionContext.session.kernel;
     Object.assign(window, {said: [], shown: [], drawn: new Set()});
     kernel.anyMessage.connect((_, {direction, msg}) => {
-        const value = msg.content.data?.state?.value;
+        const [value] = Object.entries(msg.content.data?.state ?? {})
+            .filter(([name]) => name.startsWith('theta_')).map(([, angle]) => angle);
         if (direction === 'send' && value !== undefined)
             said.push([msg.content.comm_id, performance.now(), value]);
     });
-    const readout = view.querySelectorAll('.widget-readout')[1];
-    const value = () => shown.push(Number(readout.textContent.replace('\u2212', '-')));
-    new MutationObserver(value).observe(readout, {childList: true});
+    const range = view.querySelectorAll('[type=range]')[1];
+    const value = () => shown.push(range.valueAsNumber);
+    new MutationObserver(value).observe(range, {attributeFilter: ['aria-valuetext']});
     const tool = view.querySelector('#tool path');
     const picture = () => drawn.add(tool.getAttribute('d'));
     new MutationObserver(picture).observe(tool, {attributes: true});
@@ -36,14 +44,18 @@ LISTEN = """view => {
 
 
 def drag(view, k, start, end, seconds):
-    """Pull slider k's handle from one share of its track to another, sixty moves a second."""
+    """Pull slider k's handle from one share of its track to another, each move painted.
+
+    Sixty moves a second at most; on a busy machine it takes longer, and holds the same.
+    """
     page, handle = view.page, view.get_by_role("slider").nth(k)
-    track = handle.locator("xpath=ancestor::*[contains(@class, 'noUi-base')]").bounding_box()
+    track = handle.bounding_box()
     y, began = track["y"] + track["height"] / 2, time.perf_counter()
     handle.hover()
     page.mouse.down()
     for count, share in enumerate(np.linspace(start, end, round(60 * seconds))):
         page.mouse.move(track["x"] + share * track["width"], y)
+        settle(page)
         time.sleep(max(0, began + count / 60 - time.perf_counter()))
     page.mouse.up()
 
@@ -67,7 +79,8 @@ def test_a_drag_tells_python_ten_times_a_second_and_the_last_value(live, busy):
     page.wait_for_timeout(500)
     said, shown, drawn = page.evaluate("[said, shown, drawn.size]")
     assert shown == sorted(shown)  # no echo of an older value moved the slider back
-    assert most_in_a_second(said) <= 11 and drawn > 2 * len(said) > 6
+    assert most_in_a_second(said) <= 11 and len(said) > 3
+    assert drawn >= len(set(shown)) > 10  # every step, whatever Python does
     value = shown[-1]
     assert said[-1][2] == value
     np.testing.assert_allclose(wait_for_kernel(page, ALPHA, [0, value, 0, -90, 0]),
@@ -83,7 +96,7 @@ def test_play_and_keys_tell_python_ten_times_a_second(live):
     page.wait_for_timeout(1500)
     view.locator(".kl-button").nth(2).click()
     said, drawn = page.evaluate("[said, drawn.size]")
-    assert most_in_a_second(said) <= 11 and drawn > 2 * len(said) > 6
+    assert most_in_a_second(said) <= 11 and drawn >= len(said) > 3  # a picture for each, and more
     view.get_by_role("button", name="Home", exact=True).click()
     wait_for_readouts(view, home)
     np.testing.assert_allclose(wait_for_kernel(page, ALPHA, home), ALPHA().home, atol=1e-12)
@@ -162,7 +175,7 @@ def test_a_tab_that_slept_wakes_with_the_numbers_of_now(live):
     }""")
     view.evaluate(f"""view => {{
         {KERNEL}.reconnect();  // a key goes down before it is back
-        view.querySelectorAll('[role=slider]')[1].dispatchEvent(
+        view.querySelectorAll('[type=range]')[1].dispatchEvent(
             new KeyboardEvent('keydown', {{key: 'ArrowRight', bubbles: true}}));
     }}""")
     page.wait_for_function("heard.length > 1")  # said, and withdrawn when it was back
@@ -190,7 +203,7 @@ SAVE = "jupyterapp.commands.execute('docmanager:save')"
 def alive(page):
     view = page.locator(".kl-view")
     view.locator(".kl-picture svg").wait_for()
-    view.locator(".widget-readout").last.wait_for()
+    view.locator(".kl-field").last.wait_for()
     return view
 
 

@@ -4,7 +4,7 @@ import re
 import numpy as np
 import pytest
 from lesson_views import VIEWS
-from plain import MOUNT, PAINTED, canvas
+from plain import MOUNT, PAINTED
 from test_plain_page import assert_same_path, js_frames
 
 from kinlab.drawing import figure
@@ -14,14 +14,14 @@ from kinlab.drawing import figure
 def test_a_lessons_view_moves_as_python_says(blank, make):
     view = make()
     scene = view._scene
-    low, high = np.array([(knob.low, knob.high) for knob in view._knobs]).T
+    low, high = np.array([(knob.low, knob.high) for knob in view._scene.knobs]).T
     for share in (0.31, 0.77):
         view._move(low + share * (high - low))
         q = view._values.tolist()
-        blank.evaluate(MOUNT, [canvas(view).svg, canvas(view).scene, q])
+        blank.evaluate(MOUNT, [view.scene, q])
         np.testing.assert_allclose(js_frames(blank, scene, q), scene.frames(q),
                                    rtol=1e-9, atol=1e-9)
-        assert_as_drawn(blank.evaluate(PAINTED), scene, q, view._preset)
+        assert_as_drawn(blank.evaluate(PAINTED), scene, q, view._scene.seen_from)
         assert_formulas(blank, view)
         blank.evaluate("live.dismount()")
 

@@ -47,11 +47,11 @@ def range_of(view, i):
 
 
 def field_of(view, i):
-    return view.locator("input[type=number]").nth(i)
+    return view.locator(".kl-field").nth(i)
 
 
 def fields(view):
-    return [float(field.input_value()) for field in view.locator("input[type=number]").all()]
+    return [float(field.input_value()) for field in view.locator(".kl-field").all()]
 
 
 def drag(page, view, i, share):
@@ -228,9 +228,9 @@ def test_it_works_within_another_page(visit, folder, tmp_path, sandbox, way):
 def test_on_paper_it_is_the_still_picture_with_its_numbers(visit):
     page, _ = visit("alpha", color_scheme="dark")
     page.emulate_media(media="print", color_scheme="dark")
-    for selector in (".kl-toolbar", ".kl-foot", "input[type=range]"):
+    for selector in (".kl-toolbar", ".kl-page-foot", "input[type=range]"):
         assert not page.locator(selector).first.is_visible(), selector
-    for selector in (".kl-picture svg", ".kl-pose", "math", "input[type=number]"):
+    for selector in (".kl-picture svg", ".kl-pose", "math", ".kl-field"):
         assert page.locator(selector).first.is_visible(), selector
     assert page.locator("body").evaluate("b => getComputedStyle(b).color") == "rgb(43, 49, 56)"
     assert page.pdf().count(b"/Type /Page\n") == 1

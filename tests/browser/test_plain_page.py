@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
-from plain import LOAD, MOUNT, PAINTED, SOURCE, canvas
+from plain import LOAD, MOUNT, PAINTED, SOURCE
 from reading import numbers, projected
 from strategies import arms_and_q
 
@@ -49,7 +49,7 @@ def test_frames_of_any_arm_equal_pythons(blank, arm_and_q):
 def mounted(page, arm, q, show=("frames", "labels")):
     """The arm's data, drawn in the page at joint values q."""
     view = kl.ArmView(arm, show=show, preset="3-D")
-    page.evaluate(MOUNT, [canvas(view).svg, canvas(view).scene, list(q)])
+    page.evaluate(MOUNT, [view.scene, list(q)])
     return arm_scene(arm)
 
 
@@ -223,5 +223,5 @@ def test_one_finger_turns_the_picture_and_two_zoom_it(browser, watched):
 def test_a_finger_on_a_flat_picture_scrolls_the_page(page):
     view = kl.lessons.rotation.axes_view()
     page.evaluate(LOAD, SOURCE)
-    page.evaluate(MOUNT, [canvas(view).svg, canvas(view).scene, [0.5]])
+    page.evaluate(MOUNT, [view.scene, [0.5]])
     assert page.locator(".kl-picture").evaluate("box => box.style.touchAction") == "pan-y"

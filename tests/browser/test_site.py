@@ -76,7 +76,7 @@ def test_numbers_of_a_lesson_follow_its_arm(visit):
     page = visit("07_alpha_ii")
     view, robot = page.locator(".kl-view").first, kl.robots.alpha_ii
     assert_picture(read(view), robot, robot().home, HOME)
-    for field, value in zip(view.locator("input[type=number]").all(), [30, 40, -20, -60, 10]):
+    for field, value in zip(view.locator(".kl-field").all(), [30, 40, -20, -60, 10]):
         field.fill(str(value))
         field.press("Enter")
     seen, q = read(view), from_units(robot, [30, 40, -20, -60, 10])

@@ -3,7 +3,7 @@ import numpy as np
 import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
-from plain import LOAD, MOUNT, SOURCE, canvas
+from plain import LOAD, MOUNT, SOURCE
 from reading import kernel_q, settle
 from test_plain_page import COURSE, js_frames
 
@@ -26,7 +26,7 @@ few = settings(max_examples=30, suppress_health_check=[HealthCheck.function_scop
 
 
 def ranges(view):
-    joints = canvas(view).scene["joints"][:view.arm.n]
+    joints = view.scene["knobs"][:view.arm.n]
     return np.array([[joint["low"], joint["high"]] for joint in joints]).T
 
 
@@ -56,7 +56,7 @@ def test_the_browser_never_claims_what_forward_kinematics_denies(blank, robot):
         if len(view._scene.presets) == 1:
             goal[2] = view.T[2, 3]
         values = [*q.tolist(), *goal[:view._axes].tolist()]
-        found = blank.evaluate(REACH, [canvas(view).scene, values, goal.tolist()])
+        found = blank.evaluate(REACH, [view.scene, values, goal.tolist()])
         end = np.array(found["q"][:view.arm.n])
         assert np.all((end >= low - 1e-9) & (end <= high + 1e-9))
         miss = np.linalg.norm(kl.forward_kinematics(view.arm, end)[:3, 3] - goal)
@@ -75,7 +75,7 @@ def test_a_dragged_target_is_reached(blank, robot):
     for end in ends[:, :3, 3]:
         end = np.where(np.arange(3) < view._axes, end, home)
         start = np.concatenate([view.q, home[:view._axes]])
-        found = blank.evaluate(DRAW, [canvas(view).scene, *map(list, (start, home, end))])
+        found = blank.evaluate(DRAW, [view.scene, *map(list, (start, home, end))])
         assert found["error"] < 1e-6 * view._scene.radius
 
 
@@ -83,23 +83,22 @@ def test_a_joint_at_its_limit_leaves_the_work_to_the_others(blank):
     arm = kl.Arm([kl.revolute(a=1, limits=(-0.5, 0.5)), kl.revolute(a=1), kl.revolute(a=0.5)])
     view = kl.TargetView(arm, q=[0.5, 0.6, 0.4])
     goal = kl.forward_kinematics(arm, [0.5, 2.0, 0.2])[:3, 3].tolist()
-    found = blank.evaluate(REACH, [canvas(view).scene, [*view.q, *goal[:2]], goal])
+    found = blank.evaluate(REACH, [view.scene, [*view.q, *goal[:2]], goal])
     assert found["error"] < 1e-6 and found["steps"] < 30
 
 
 def test_a_stretched_arm_folds(blank):
     """Its Jacobian cannot shorten it: without a push it would stay."""
     view = kl.TargetView(kl.robots.two_link(), q=[0, 0])
-    found = blank.evaluate(REACH, [canvas(view).scene, [0, 0, 1.2, 0], [1.2, 0, 0]])
+    found = blank.evaluate(REACH, [view.scene, [0, 0, 1.2, 0], [1.2, 0, 0]])
     assert found["error"] < 1e-6
 
 
 def test_home_and_joints_take_the_target_along(page):
     view = kl.TargetView(kl.robots.two_link())
     page.evaluate(LOAD, SOURCE)
-    c = canvas(view)
     start = [*view.q.tolist(), *view.target[:2].tolist()]
-    page.evaluate(MOUNT, [c.svg, c.scene, start])
+    page.evaluate(MOUNT, [view.scene, start])
     page.evaluate("joints.write([0, Math.PI / 2, ...joints.q.slice(2)])")
     np.testing.assert_allclose(page.evaluate("joints.q.slice(2)"), [1, 1], atol=1e-12)
     page.evaluate("joints.write([...joints.q.slice(0, 2), 0.5, 1.2])")

@@ -114,8 +114,7 @@ def test_beyond_a_limit_the_arm_stops_and_the_remark_says_so(live):
 
 
 def type_in(view, k, text):
-    readout = view.locator(".widget-readout").nth(k)
-    readout.click()
+    view.locator(".kl-field").nth(k).click()
     view.page.keyboard.press("Control+a")
     view.page.keyboard.type(text)
     view.page.keyboard.press("Enter")
@@ -157,7 +156,7 @@ def test_home_zero_and_play_move_smoothly(live):
     play.click()
     expect(play).to_have_text("Pause")
     assert play.get_attribute("aria-pressed") == "true"
-    far = "() => Number(document.querySelectorAll('.kl-view .widget-readout')[{}].textContent) > {}"
+    far = "() => Number(document.querySelectorAll('.kl-view .kl-field')[{}].value) > {}"
     page.wait_for_function(far.format(0, 20))
     page.wait_for_function(far.format(4, 40))
     play.click()
@@ -278,8 +277,8 @@ def test_the_wheel_scrolls_a_page_on_its_way(live):
 FOCUSED = """() => {
     const at = document.activeElement, view = at.closest('.kl-view');
     if (!view) return '';
-    if (at.getAttribute('role') === 'slider')
-        return 'slider ' + [...view.querySelectorAll('[role=slider]')].indexOf(at);
+    if (at.type === 'range')
+        return 'slider ' + [...view.querySelectorAll('[type=range]')].indexOf(at);
     return at.classList.contains('kl-picture') ? 'picture' : at.textContent;
 }"""
 
@@ -396,7 +395,7 @@ def test_other_icons_of_the_page_keep_their_strokes(notebook):
 
 def test_a_closed_form_is_typeset_below(live):
     (view,) = live(SHOW.replace("_ii()", "_ii(), closed_form=True"))
-    view.locator(".kl-math mjx-container").first.wait_for()
+    view.locator(".kl-math math").first.wait_for()
     assert "234" in view.locator(".kl-math").inner_text()
     below = view.locator(".kl-math").bounding_box()["y"]
     box = picture(view).bounding_box()

@@ -13,7 +13,7 @@ MOVE = "q => { joints.write(q); }"
 
 def mounted(page, view):
     page.evaluate(LOAD, SOURCE)
-    page.evaluate(MOUNT, [view._canvas.svg, view._canvas.scene, view._values.tolist()])
+    page.evaluate(MOUNT, [view.scene, view._values.tolist()])
     return view._scene
 
 
@@ -43,7 +43,7 @@ def test_the_trace_is_where_the_tool_went(page):
     scene = mounted(page, workspace.ring_view())
     assert not page.locator("#trace").is_visible()
     page.get_by_role("button", name="Trace").click()
-    poses = np.array(workspace.ring_view()._canvas.scene["poses"])
+    poses = np.array(workspace.ring_view().scene["poses"])
     for q in poses:
         page.evaluate(MOVE, q.tolist())
         page.evaluate(PAINTED)

@@ -1,7 +1,7 @@
 """The site of the course: every link leads somewhere, nothing comes from elsewhere."""
 import itertools
 import re
-from html import escape, unescape
+from html import unescape
 from pathlib import Path
 from urllib.parse import unquote, urlparse
 
@@ -10,7 +10,8 @@ import pytest
 from markup import Reader
 
 from kinlab.__main__ import main
-from kinlab.browser import page
+from kinlab.browser import bundle
+from kinlab.browser.mathml import mathematics
 from kinlab.course import site
 from kinlab.course.notebooks import FOLDER
 
@@ -72,7 +73,7 @@ def test_nothing_comes_from_elsewhere(folder, name, text):
 def test_shared_files_ask_for_nothing_either(folder):
     style, script = ((folder / f"kinlab.{end}").read_text("utf-8") for end in ("css", "js"))
     assert "url(" not in style and "@import" not in style
-    assert script == page.classic_script()
+    assert script == bundle.script("host_page.js")
     assert {path.name for path in folder.iterdir()} == {
         "kinlab.css", "kinlab.js", "index.html", *(f"{name}.html" for name in LESSONS)}
 
@@ -110,7 +111,7 @@ def test_views_begin_as_their_cells_left_them(saved, text):
     """Not as a later cell leaves them: it is the picture that the text beside it describes."""
     views = views_of(saved)
     spoken = [word for word in re.findall(r'aria-label="Picture of the arm. ([^"]*)"', text)]
-    assert [escape(view.data["text/plain"]) for view in views] == spoken
+    assert [view.data["text/plain"] for view in views] == list(map(unescape, spoken))
 
 
 @every_lesson
@@ -167,7 +168,7 @@ def test_the_map_leads_through_all_lessons_in_order(folder):
     (r"\left[\begin{matrix}1\end{matrix}\right]", '<mtable class="kl-matrix"><mtr>'),
 ])
 def test_formulas_are_spaced_as_in_print(latex, mathml):
-    assert mathml in page.mathematics(latex)
+    assert mathml in mathematics(latex)
 
 
 def test_the_command_shows_its_progress_and_where_to_look(tmp_path, capsys, monkeypatch):

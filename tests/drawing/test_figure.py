@@ -14,7 +14,8 @@ from strategies import arms_and_q
 
 import kinlab as kl
 from kinlab.drawing import figure
-from kinlab.drawing.arm_scene import LAYERS, arm_scene
+from kinlab.drawing.arm_scene import arm_scene
+from kinlab.drawing.controls import LAYERS
 from kinlab.drawing.scene import SPATIAL
 
 close = np.testing.assert_allclose

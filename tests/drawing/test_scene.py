@@ -11,8 +11,9 @@ from strategies import arms, arms_and_q
 import kinlab as kl
 from kinlab.arms.joints import joint_range
 from kinlab.arms.kinematics import axis_frames
-from kinlab.drawing.arm_scene import LAYERS, arm_scene, is_planar
-from kinlab.drawing.scene import SPATIAL, TEXT, Scene, subscript
+from kinlab.drawing.arm_scene import arm_scene, is_planar
+from kinlab.drawing.controls import LAYERS, subscript
+from kinlab.drawing.scene import SPATIAL, TEXT, Scene
 
 close = np.testing.assert_allclose
 COURSE = [kl.robots.two_link, kl.robots.practical_six_link, kl.robots.cylindrical,
@@ -266,10 +267,10 @@ def test_items_are_named_once_and_bodies_stay_together(arm):
 def replayed(motions, q):
     """Frames from the plain data alone: matrices multiplied one after the other."""
     T = [np.eye(4)]
-    for slides, axis, amount, joint, *_ in motions:
-        value = amount + (q[joint] if joint >= 0 else 0)
-        along = np.eye(3)[axis]
-        step = textbook.rigid(o=value * along) if slides else textbook.rigid(
+    for motion in motions:
+        value = motion.get("amount", 0) + (q[motion["joint"]] if "joint" in motion else 0)
+        along = np.eye(3)[motion["axis"]]
+        step = textbook.rigid(o=value * along) if motion["kind"] == "translate" else textbook.rigid(
             textbook.turn(along, value))
         T.append(T[-1] @ step)
     return np.array(T)

@@ -5,8 +5,8 @@ from strategies import arms_and_q
 
 import kinlab as kl
 from kinlab.drawing.arm_scene import arm_scene
-from kinlab.drawing.scene import ARROW, Item, Scene, Step, Vector, Volume, at
-from kinlab.drawing.velocity import Velocity
+from kinlab.drawing.readings import Vector, Volume
+from kinlab.drawing.scene import ARROW, Item, Scene, Step, Velocity, at
 
 close = np.testing.assert_allclose
 
@@ -58,8 +58,8 @@ def test_two_links_by_hand():
     scene = Scene(motions, (item,), tip, (0, 0, 0), 1.0)
     q = [0, np.pi / 2]
     frames = scene.frames(q)
-    close(column.read(scene, frames, q), [-1, 1], atol=1e-12)
-    close(Volume(tip + 3, 2, 4.0).read(scene, frames, q), 1, atol=1e-12)
+    close(column.read(scene.motions, frames, q), [-1, 1], atol=1e-12)
+    close(Volume(tip + 3, 2, 4.0).read(scene.motions, frames, q), 1, atol=1e-12)
 
 
 def test_a_track_is_looked_up():

@@ -31,7 +31,7 @@ def test_a_view_leaves_matplotlib_out_of_its_own_process():
 def test_the_editor_leaves_it_out_too():
     code = ("import sys, kinlab as kl; editor = kl.DHTableEditor()\n"
             "editor._hear(None, {'do': 'open', 'with': ['compare']}, [])\n"
-            "print('data:image/png' in editor._html.value, 'matplotlib' in sys.modules)")
+            "print('data:image/png' in editor.panel, 'matplotlib' in sys.modules)")
     run = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     assert run.stdout.split() == ["True", "False"]
 

@@ -105,7 +105,7 @@ def test_frames_and_table_are_those_of_the_link(arm, link):
             close(tails, [T[:3, 3]] * 3, atol=1e-9)
             length = np.linalg.norm(heads[0] - tails[0])
             close((np.array(heads) - tails) / length, T[:3, :3].T, atol=1e-9)
-        pose = view._canvas.scene["pose"]
+        pose = view.scene["pose"]
         T = kl.inverse(frames[pose["base"]]) @ frames[view._scene.tip]
         close(T, done(arm, link, q), atol=1e-9)
 
@@ -113,7 +113,7 @@ def test_frames_and_table_are_those_of_the_link(arm, link):
 @every_link
 def test_the_scrub_ends_at_the_link_matrix(arm, link):
     view = motions_view(arm, link)
-    base, tip = view._canvas.scene["pose"]["base"], view._scene.tip
+    base, tip = view.scene["pose"]["base"], view._scene.tip
     row_matrix = getattr(textbook, arm.convention)
     for q in poses(arm, 2):
         for share in (0, 0.5, 1, 1.7, 2.4, 3, 3.6, 4):

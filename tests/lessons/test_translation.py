@@ -63,7 +63,7 @@ def test_both_orders_of_two_slides_end_in_frame_2(x, y, u, v):
 def test_frames_stay_in_the_picture(make):
     view = make()
     for end in ("low", "high"):
-        at = drawn(view, **{knob.name: getattr(knob, end) for knob in view._knobs})
+        at = drawn(view, **{knob.name: getattr(knob, end) for knob in view._scene.knobs})
         inside = [np.abs(points).max() for gid, points in at.items() if "ground" not in gid]
         assert max(inside) < view._scene.radius
 

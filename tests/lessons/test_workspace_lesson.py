@@ -39,7 +39,7 @@ def test_the_circles_are_those_of_the_stretched_and_the_folded_arm(l1, l2):
 
 
 def test_the_sweep_goes_all_over_the_ring():
-    poses = np.array(lesson.ring_view()._canvas.scene["poses"])
+    poses = np.array(lesson.ring_view().scene["poses"])
     assert set(poses[:, 0]) == {-pi, 0, pi} and poses[0, 1] == 0 and poses[-1, 1] == pi
     assert np.all(np.diff(poses[:, 1]) >= 0)
 

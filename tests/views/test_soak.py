@@ -15,8 +15,8 @@ arm = kl.robots.alpha_ii()
 
 def drag(view, events):
     for k in range(events):
-        state = {"value": float(k % 90)}
-        view.sliders[k % 5].comm.handle_msg(
+        state = {f"theta_{k % 5 + 1}": float(k % 90)}
+        view.comm.handle_msg(
             {"content": {"data": {"method": "update", "state": state}}, "buffers": []})
 
 def show(times):
@@ -29,8 +29,8 @@ def show(times):
 show(3)
 view = kl.ArmView(arm)
 drag(view, 200)
-drawn = view._canvas.svg
-worker.svg = lambda *job: drawn  # another process draws, and takes most of the time
+drawn = worker.svg(view._scene, view._values, "3-D", ())
+worker.svg = worker.png = lambda *job: drawn  # another process draws, and takes most of the time
 show(3)
 """
 
@@ -65,7 +65,7 @@ def test_a_long_lesson_leaves_no_memory_behind():
         memory, widgets = state()
         for _ in range(0, EVENTS, 200):  # few enough for the messages not to be dropped
             run(client, "drag(view, 200)")
-        assert float(run(client, "print(view.sliders[4].value)")) == 199 % 90
+        assert float(run(client, "print(view.controls[4].value)")) == 199 % 90
         after_events, _ = state()
         for _ in range(0, VIEWS, 10):
             run(client, "show(10)")

@@ -12,8 +12,10 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import kinlab as kl
+from kinlab.drawing.controls import joint_knobs
+from kinlab.drawing.scene import Scene
 from kinlab.tables.table import DHTable, Place
-from kinlab.views import table_editor
+from kinlab.views import arm_view
 from kinlab.views.table_editor import EDITS, PANELS
 
 MANY = int(os.environ.get("KINLAB_EDITS", 2000))
@@ -27,8 +29,8 @@ def editor():
 
 def tell(editor, what, *arguments):
     """What the browser sends when the student does something."""
-    editor._hear(editor._grid, {"do": what, "with": list(arguments)}, [])
-    return editor._grid.state
+    editor._hear(editor, {"do": what, "with": list(arguments)}, [])
+    return editor.cells
 
 
 def widgets():
@@ -94,7 +96,7 @@ def test_angles_may_be_in_radians():
 def test_what_a_cell_says_stands_beside_it(angles, text, reads):
     editor = kl.DHTableEditor(angles=angles)
     editor.set(1, "alpha", text)
-    assert editor._grid.state["rows"][0]["cells"]["alpha"]["reads"] == reads
+    assert editor.cells["rows"][0]["cells"]["alpha"]["reads"] == reads
 
 
 @pytest.mark.parametrize("make, message", [
@@ -177,18 +179,17 @@ def test_widgets_do_not_pile_up(editor):
             ("in_unit", "m"), ("without_row", 6), ("in_unit", "mm"), ("with_cell", 2, "a", "177.8")]
     for step in edit:
         tell(editor, *step)
-    canvas, sliders, count = editor.view._canvas, editor.view.sliders[:5], widgets()
+    count = widgets()
     for step in edit * 2:
         tell(editor, *step)
     assert widgets() == count
-    assert editor.view._canvas is canvas and editor.view.sliders[0] is sliders[0]
+    assert editor.view is editor
 
 
 def test_what_says_the_same_is_not_drawn_again(editor):
-    svg = editor.view._canvas.svg
-    arm = editor.arm
+    scene, arm = editor.scene, editor.arm
     tell(editor, "with_cell", 1, "alpha", "-pi/2")
-    assert editor.arm is arm and editor.view._canvas.svg is svg
+    assert editor.arm is arm and editor.scene is scene
 
 
 def test_an_edit_is_answered_at_once(editor):
@@ -207,21 +208,21 @@ def test_a_view_follows_another_arm():
     view.follow(kl.robots.cylindrical(), [1, 0.2, 9])
     assert [s.description for s in view.joints] == ["θ₁ (°)", "d₂ (m)", "d₃ (m)"]
     np.testing.assert_allclose(view.q, [1, 0.2, 0.6])
-    assert view._canvas.note == "d₃ stops at its limit, 0.6 m"
-    assert view._canvas.sliders == view.joints and not view._canvas.hold
-    scene = view._canvas.scene
+    assert view.note == "d₃ stops at its limit, 0.6 m"
+    assert not view.settling
+    scene = view.scene
     assert [layer["layer"] for layer in scene["layers"] if layer["on"]] == ["labels", "trace"]
-    fresh = kl.ArmView(kl.robots.cylindrical(), show=["labels", "trace"])._canvas.scene
+    fresh = kl.ArmView(kl.robots.cylindrical(), show=["labels", "trace"]).scene
     assert json.dumps(scene) == json.dumps(fresh)
 
 
 def test_a_view_refuses_what_is_no_arm():
     view = kl.ArmView(kl.robots.alpha_ii())
-    before = repr(view), view._canvas.svg
+    before = repr(view), view.scene
     for arm, q in ((None, None), (kl.robots.alpha_ii(), [1]), (kl.robots.alpha_ii(), "q")):
         with pytest.raises(ValueError):
             view.follow(arm, q)
-    assert (repr(view), view._canvas.svg) == before
+    assert (repr(view), view.scene) == before
 
 
 # ---- undo, panels, files ----
@@ -264,13 +265,13 @@ def test_what_cannot_be_done_is_said(editor):
 
 def test_the_closed_form_on_demand(editor):
     tell(editor, "open", "closed")
-    assert "177.8 C_{23}" in editor._math.value and "T_0^{5}" in editor._math.value
+    assert "177.8 C_{23}" in editor.panel and "T_0^{5}" in editor.panel
     tell(editor, "open", "symbols")
-    assert "a_{3} C_{23}" in editor._math.value
+    assert "a_{3} C_{23}" in editor.panel
     tell(editor, "with_cell", 3, "a", "0")
-    assert "a_{3}" not in editor._math.value
+    assert "a_{3}" not in editor.panel
     tell(editor, "open", "")
-    assert editor._math.value == "" == editor._html.value
+    assert editor.panel == ""
 
 
 def test_a_closed_form_that_would_fill_pages_is_not_written():
@@ -278,22 +279,22 @@ def test_a_closed_form_that_would_fill_pages_is_not_written():
     editor = kl.DHTableEditor(arm)
     began = time.perf_counter()
     tell(editor, "open", "closed")
-    assert "would fill pages" in editor._math.value and time.perf_counter() - began < 1
+    assert "would fill pages" in editor.panel and time.perf_counter() - began < 1
 
 
 def test_the_sign_pattern_on_demand(editor):
     tell(editor, "open", "signs")
-    assert "<td>−</td>" in editor._html.value
-    shown = editor._html.value
+    assert "<td>−</td>" in editor.panel
+    shown = editor.panel
     tell(editor, "with_cell", 1, "alpha", "90")
-    assert editor._html.value.count("−") == shown.count("−") - 1
+    assert editor.panel.count("−") == shown.count("−") - 1
 
 
 def test_the_other_convention_side_by_side(editor):
     tell(editor, "open", "compare")
     for words in ("read as modified", "another mechanism", "the axis of joint 1 is turned by 90°",
                   "α(i-1)", "data:image/png", "At q = [0, 0, 0, -90, 0] deg"):
-        assert words in editor._html.value
+        assert words in editor.panel
 
 
 def test_names_do_not_become_html():
@@ -302,7 +303,7 @@ def test_names_do_not_become_html():
     editor = kl.DHTableEditor(evil)
     for panel in PANELS:
         tell(editor, "open", panel)
-        assert "<b>" not in editor._html.value and "<img src=x" not in editor._html.value
+        assert "<b>" not in editor.panel and "<img src=x" not in editor.panel
 
 
 def test_files_bring_the_table_back(editor):
@@ -324,15 +325,9 @@ def test_files_bring_the_table_back(editor):
 # ---- random edits ----
 
 
-class Still:
-    """A view that draws nothing, so that many edits can be made."""
-
-    def __new__(cls, arm):
-        view = ipywidgets.Box()
-        view.arm, view.q = arm, arm.home
-        view.follow = lambda arm, q: vars(view).update(arm=arm, q=np.array(q))
-        view.q_text = lambda: "[]"
-        return view
+def still(arm, q=None, **options):
+    """A scene that draws nothing, so that many edits can be made."""
+    return Scene((), (), 0, (0, 0, 0), 1.0, knobs=tuple(joint_knobs(arm)))
 
 
 def browse(editor, sequence):
@@ -369,7 +364,7 @@ sessions = st.lists(edits | loads | opened, min_size=SEQUENCE, max_size=SEQUENCE
 @settings(max_examples=max(1, MANY // SEQUENCE), deadline=None)
 def test_no_session_loses_anything(sequence):
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(table_editor, "ArmView", Still)
+        patch.setattr(arm_view, "arm_scene", still)
         browse(kl.DHTableEditor(kl.robots.cylindrical(), lengths={"d2": 0.5, "l1": 1}), sequence)
 
 

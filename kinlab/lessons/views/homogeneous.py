@@ -4,12 +4,11 @@ from __future__ import annotations
 from math import pi, radians
 
 from ...arms.motions import ROTATE, TRANSLATE, X, Y, Z
-from ...drawing.scene import Point, at, subscript
+from ...drawing.controls import Knob, PoseTable, subscript, superscript
+from ...drawing.readings import Point
+from ...drawing.scene import at, origin_of
 from ...drawing.sketch import Sketch
-from ...views.live import Knob, LiveView
-
-ROOM: Point = (0, 0.0, 0.0, 0.0)
-_RAISED = str.maketrans("0123456789", "⁰¹²³⁴⁵⁶⁷⁸⁹")
+from ...views.live import LiveView
 
 
 def combined() -> LiveView:
@@ -17,35 +16,37 @@ def combined() -> LiveView:
     sketch, frame, half = _sliding_and_turning("Translation and rotation together", (1.5, -1.0))
     c = sketch.point("c", frame, (1.5, 1.0))
     sketch.components("c", c, frame)
-    sketch.arrow("c0", ROOM, c, "z")
+    sketch.arrow("c0", origin_of(0), c, "z")
     sketch.label("c⁰", at(sketch.move(ROTATE, Z, 0, 2, half), (0.65, 0.75, 0))[0], "z")
-    sketch.arrow("rotated", _origin(frame), c)
+    sketch.arrow("rotated", origin_of(frame), c)
     sketch.label("R₁⁰ c¹", at(frame, (1.05, 0.3, 0))[0])
     sketch.reading("c1", "c¹ = {}", sketch.vector(frame, c, frame))
     sketch.reading("o", "o₁⁰ = {}", sketch.vector(0, frame))
     sketch.reading("rotated", "R₁⁰ c¹ = {}", sketch.vector(frame, c))
     sketch.reading("c0", "c⁰ = o₁⁰ + R₁⁰ c¹ = {}", sketch.vector(0, c))
-    return sketch.view(panels=_table("H₁⁰", "1", "xy"))
+    sketch.pose = PoseTable.of_frame("H₁⁰", "1", "xy")
+    return LiveView(sketch.scene())
 
 
 def seen_back() -> LiveView:
     """A point that stands still, seen from a frame that slides and turns."""
     sketch, frame, half = _sliding_and_turning("A fixed point, seen from frame 1", (-1.2, -1.0))
     c = sketch.point("c", 0, (1.0, 2.0))
-    sketch.arrow("c0", ROOM, c, "z")
+    sketch.arrow("c0", origin_of(0), c, "z")
     sketch.label("c⁰", (0, 0.8, 1.0, 0.0), "z")
-    sketch.arrow("difference", _origin(frame), c)
+    sketch.arrow("difference", origin_of(frame), c)
     sketch.label("c⁰ − o₁⁰", at(half, (0.2, 1.3, 0))[0])
     sketch.reading("difference", "c⁰ − o₁⁰ = {}", sketch.vector(frame, c))
     sketch.reading("c1", "c¹ = (R₁⁰)ᵀ (c⁰ − o₁⁰) = {}", sketch.vector(frame, c, frame))
     sketch.reading("o0", "o₀¹ = −(R₁⁰)ᵀ o₁⁰ = {}", sketch.vector(frame, 0, frame))
-    return sketch.view(panels=_table("H₁⁰", "1", "xy"))
+    sketch.pose = PoseTable.of_frame("H₁⁰", "1", "xy")
+    return LiveView(sketch.scene())
 
 
 def chain(n: int = 3) -> LiveView:
     """A chain of n frames: every term of the successive expansion is one arrow."""
     sketch, offset = Sketch(f"A chain of {n} frames", 1.45 * (n + 1)), (1.2, 0.9)
-    knobs = [sketch.knob(Knob.angle(f"theta_{k}", f"θ{subscript(str(k))}",
+    knobs = [sketch.knob(Knob.angle(f"theta_{k}", f"θ{subscript(k)}",
                                     home=radians((50, -80, 60, -100, 60, 40)[k - 1])))
              for k in range(1, n + 1)]
     frame, turns, length = 0, "", 0.75
@@ -54,12 +55,12 @@ def chain(n: int = 3) -> LiveView:
         before = frame
         frame = sketch.frame(str(k), before, theta=knob, origin=offset, length=length)
         name = f"o{_indices(k)}"
-        _term(sketch, name, turns, before, _origin(frame))
+        _term(sketch, name, turns, before, origin_of(frame))
         turns += f"R{_indices(k)}"
     c = sketch.point("c", frame, offset)
-    _term(sketch, f"c{str(n).translate(_RAISED)}", turns, frame, c)
+    _term(sketch, f"c{superscript(n)}", turns, frame, c)
     sketch.reading("c0", "c⁰ = sum of the rows above = {}", sketch.vector(0, c))
-    return sketch.view()
+    return LiveView(sketch.scene())
 
 
 def order() -> LiveView:
@@ -92,10 +93,11 @@ def spatial() -> LiveView:
     sketch.tip = frame = sketch.move(ROTATE, X, 0, phi)
     sketch.axes("1", frame, 1.0)
     c = sketch.point("c", frame, (1.0, 0.6, 0.5))
-    sketch.arrow("o", ROOM, _origin(frame))
-    sketch.arrow("rotated", _origin(frame), c)
+    sketch.arrow("o", origin_of(0), origin_of(frame))
+    sketch.arrow("rotated", origin_of(frame), c)
     sketch.reading("c0", "c⁰ = o₁⁰ + R₁⁰ c¹ = {}", sketch.vector(0, c))
-    return sketch.view(panels=_table("H₁⁰", "1", "xyz"))
+    sketch.pose = PoseTable.of_frame("H₁⁰", "1", "xyz")
+    return LiveView(sketch.scene())
 
 
 def _sliding_and_turning(name: str, home: tuple[float, float]) -> tuple[Sketch, int, int]:
@@ -108,25 +110,21 @@ def _sliding_and_turning(name: str, home: tuple[float, float]) -> tuple[Sketch, 
     half = sketch.move(TRANSLATE, Y, 0, y, gain=0.5)
     sketch.axes("0", 0)
     frame = sketch.frame("1", x=x, y=y, theta=theta)
-    sketch.arrow("o", ROOM, _origin(frame))
+    sketch.arrow("o", origin_of(0), origin_of(frame))
     sketch.label("o₁⁰", at(half, (-0.1, -0.25, 0))[0])
     sketch.sweep("theta", frame, (0.7, 0, 0), text="θ")
     return sketch, frame, half
 
 
-def _origin(frame: int) -> Point:
-    return at(frame, (0, 0, 0))[0]
-
-
 def _indices(k: int) -> str:
-    return subscript(str(k)) + str(k - 1).translate(_RAISED)
+    return subscript(k) + superscript(k - 1)
 
 
 def _term(sketch: Sketch, name: str, turns: str, frame: int, head: Point) -> None:
     """One arrow of the chain, with its name beside it and its numbers in a row of their own."""
-    sketch.arrow(f"arrow-{name}", _origin(frame), head)
+    sketch.arrow(f"arrow-{name}", origin_of(frame), head)
     sketch.label(name, at(frame, (1.0, 0.42, 0))[0])
-    sketch.reading(name, f"{turns} {name} = {{}}".strip(), sketch.vector(_origin(frame), head))
+    sketch.reading(name, f"{turns} {name} = {{}}".strip(), sketch.vector(origin_of(frame), head))
 
 
 def _scrubbed(name: str) -> tuple[Sketch, int]:
@@ -155,11 +153,4 @@ def _compared(sketch: Sketch, *named: tuple[str, int]) -> LiveView:
     for words, frame in named:
         sketch.reading(words[0], f"{words}: origin {{}}, x axis {{}}", sketch.vector(0, frame),
                        sketch.vector(frame, at(frame, (1, 0, 0))[0]))
-    return sketch.view()
-
-
-def _table(title: str, frame: str, axes: str) -> dict:
-    names = [(letter, f"{letter} axis of frame {frame}") for letter in axes]
-    columns = [{"name": name + subscript(frame), "title": words}
-               for name, words in (*names, ("o", f"origin of frame {frame}"))]
-    return {"pose": {"title": title, "columns": columns, "decimals": 3, "unit": ""}}
+    return LiveView(sketch.scene())

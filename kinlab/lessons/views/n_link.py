@@ -1,6 +1,7 @@
 """Views of Practical 3: one arm, one table and two DH conventions; the three ZYZ angles."""
 from __future__ import annotations
 
+from collections.abc import Collection
 from dataclasses import replace
 from itertools import accumulate
 from math import radians
@@ -11,56 +12,58 @@ import numpy as np
 from ...arms.arm import Arm, to_modified, to_standard
 from ...arms.joints import joint_array
 from ...arms.motions import ROTATE, Y, Z
-from ...drawing.arm_scene import arm_scene, is_planar
-from ...drawing.scene import Scene, at, subscript
+from ...drawing.arm_scene import arm_scene
+from ...drawing.controls import Knob, PoseTable, subscript
+from ...drawing.scene import at, origin_of
 from ...drawing.sketch import Sketch
-from ...views.arm_view import joint_knob
-from ...views.live import Knob, LiveView
+from ...views.live import LiveView
 
 
 def both_conventions(arm: Arm, *links: int, q: Any = None) -> LiveView:
     """Frames of some links in both conventions on one arm; a prime marks the standard ones."""
     modified, standard = to_modified(arm), to_standard(arm)
-    drawn, sketch = _start(modified, f"{arm.name}, frames of both conventions")
-    if not sketch.planar:  # come closer: what matters are the frames at both ends of the links
-        drawn = replace(drawn, radius=0.55 * drawn.radius)
+    sketch = _over(modified, f"{arm.name}, frames of both conventions", q,
+                   {f"axis-{joint}" for i in links for joint in (i, i + 1)})
     far, size = _branch(sketch, standard), 0.2 * sketch.radius
     near = list(accumulate(sum(not m.idle for m in part) for part in modified.chain))
     for i in links:
         sketch.axes(str(i), near[i], size)
         sketch.axes(f"{i}′", far[i], 0.7 * size)
         for prime, frame in (("", near[i]), ("′", far[i])):
-            sketch.reading(f"o{i}{prime}", f"o{subscript(str(i))}{prime} = {{}} {arm.unit}",
+            sketch.reading(f"o{i}{prime}", f"o{subscript(i)}{prime} = {{}} {arm.unit}",
                            sketch.vector(0, frame))
-    shown = {f"axis-{joint}" for i in links for joint in (i, i + 1)}
-    closer = replace(drawn, focus=None if sketch.planar else near[links[0]])
-    return _finish(modified, closer, sketch, q, shown)
+    if not sketch.planar:  # come closer: what matters are the frames at both ends of the links
+        sketch.radius, sketch.focus = 0.55 * sketch.radius, near[links[0]]
+    return LiveView(sketch.scene())
 
 
 def misread(arm: Arm, q: Any = None) -> LiveView:
     """The arm, and as a thin line what its table means in the other convention."""
     other = "standard" if arm.convention == "modified" else "modified"
     wrong = replace(arm, convention=other)
-    drawn, sketch = _start(arm, f"{arm.name}, its table read in both conventions")
-    right = len(sketch.steps)
+    sketch = _over(arm, f"{arm.name}, its table read in both conventions", q)
+    right = sketch.tip
     tip = _branch(sketch, wrong)[-1]
-    sketch.line("misread", [at(k, (0, 0, 0))[0] for k in (0, *range(right + 1, tip + 1))], "trace")
+    sketch.line("misread", map(origin_of, (0, *range(right + 1, tip + 1))), "trace")
     sketch.point("p′", tip, (0, 0, 0))
     for prime, frame, convention in (("", right, arm.convention), ("′", tip, other)):
         sketch.reading(f"p{prime}", f"{convention}: p{prime} = {{}} {arm.unit}",
                        sketch.vector(0, frame))
     reach = arm_scene(wrong)
-    away = float(np.linalg.norm(np.subtract(reach.center, drawn.center)))
-    return _finish(arm, replace(drawn, radius=max(drawn.radius, away + reach.radius)), sketch, q)
+    away = float(np.linalg.norm(np.subtract(reach.center, sketch.center)))
+    sketch.radius = max(sketch.radius, away + reach.radius)
+    return LiveView(sketch.scene())
 
 
-def _start(arm: Arm, name: str) -> tuple[Scene, Sketch]:
-    """The arm's drawing, and an empty sketch that begins with its motions."""
-    drawn = arm_scene(arm)
-    sketch = Sketch(name, drawn.radius, planar=is_planar(arm), unit=arm.unit)
-    sketch.items.clear()
-    sketch.steps.extend(drawn.motions)
-    return drawn, sketch
+def _over(arm: Arm, name: str, q: Any, axes: Collection[str] = ()) -> Sketch:
+    """A sketch over an arm, whose own frames are left out, and its axes but for some."""
+    start = joint_array(arm, arm.home if q is None else q).tolist()
+    sketch = Sketch.of(arm, start, name=name,
+                       keep=lambda item: not item.layer or item.gid in axes)
+    sketch.items = [replace(item, layer="") for item in sketch.items]
+    sketch.bare()
+    sketch.over = sketch.radius
+    return sketch
 
 
 def _branch(sketch: Sketch, arm: Arm) -> list[int]:
@@ -71,19 +74,6 @@ def _branch(sketch: Sketch, arm: Arm) -> list[int]:
             frame = sketch.move(motion.kind, motion.axis, motion.amount, motion.joint, frame)
         ends.append(frame)
     return ends
-
-
-def _finish(arm: Arm, drawn: Scene, sketch: Sketch, q: Any,
-            axes: set[str] = frozenset()) -> LiveView:
-    """The sketch laid over the arm, whose own frames are left out."""
-    under = [replace(item, layer="") for item in drawn.items if not item.layer or item.gid in axes]
-    over = [replace(item, body=item.body + len(drawn.items), lift=item.lift + drawn.radius)
-            for item in sketch.items]
-    scene = replace(sketch.scene(), items=(*under, *over), center=drawn.center,
-                    radius=drawn.radius, focus=drawn.focus)
-    start = joint_array(arm, arm.home if q is None else q).tolist()
-    knobs = [replace(joint_knob(arm, i), home=value) for i, value in enumerate(start)]
-    return LiveView(scene, knobs, name=sketch.name)
 
 
 def zyz_view() -> LiveView:
@@ -100,6 +90,6 @@ def zyz_view() -> LiveView:
         sketch.line(f"ray-{letter}", at(step, (0, 0, 0), place))
     for axis, place in (("x", (1, 0, 0)), ("z", (0, 0, 1))):
         sketch.reading(axis, f"{axis} axis = {{}}", sketch.vector(0, at(turns[-1], place)[0]))
-    columns = [{"name": axis, "title": f"{axis} axis"} for axis in "xyz"]
-    return sketch.view(panels={"pose": {"title": "R = Rz(φ) Ry(θ) Rz(ψ)", "columns": columns,
-                                        "rows": 3, "decimals": 3}})
+    sketch.pose = PoseTable("R = Rz(φ) Ry(θ) Rz(ψ)",
+                            tuple((axis, f"{axis} axis") for axis in "xyz"), rows=3)
+    return LiveView(sketch.scene())

@@ -5,9 +5,10 @@ from itertools import pairwise
 from math import radians
 
 from ...arms.motions import ROTATE, TRANSLATE, X, Z
-from ...drawing.scene import Point, at, subscript
+from ...drawing.controls import Knob, PoseTable, subscript
+from ...drawing.scene import at, origin_of
 from ...drawing.sketch import Sketch
-from ...views.live import Knob, LiveView
+from ...views.live import LiveView
 
 _HOME = (30, 40, -65, 80, -70, 60)  # degrees
 _LENGTH = 1.2
@@ -17,9 +18,9 @@ _SHARES = tuple(share / 8 for share in range(9))
 def both_methods() -> LiveView:
     """The two-link arm: its dashed legs are the trigonometry, its frames the matrices."""
     sketch = Sketch("Two-link arm, by both methods", 4)
-    t1, t2 = (sketch.knob(Knob.angle(f"theta_{k}", f"θ{subscript(str(k))}", home=radians(home)))
+    t1, t2 = (sketch.knob(Knob.angle(f"theta_{k}", f"θ{subscript(k)}", home=radians(home)))
               for k, home in ((1, 35), (2, 25)))
-    l1, l2 = (sketch.knob(Knob.length(f"l_{k}", f"l{subscript(str(k))}", 0.5, high, home))
+    l1, l2 = (sketch.knob(Knob.length(f"l_{k}", f"l{subscript(k)}", 0.5, high, home))
               for k, home, high in ((1, 2.0, 2.2), (2, 1.5, 1.8)))
     sketch.axes("0", 0, 0.9)
     first = sketch.frame("1", theta=t1, length=0.6)
@@ -33,18 +34,20 @@ def both_methods() -> LiveView:
     sketch.line("ahead", at(second - 1, (0, 0, 0), (1.1, 0, 0)))
     sketch.sweep("theta-2", second, (0.75, 0, 0), text="θ₂")
     _both_readings(sketch, second, end, (t1, t2, l1, l2))
-    return sketch.view(panels=_table())
+    sketch.pose = PoseTable("H₂⁰ = H₁⁰ H₂¹", (
+        ("x₂", "x axis of frame 2"), ("y₂", "y axis of frame 2"), ("P", "its origin, P")))
+    return LiveView(sketch.scene())
 
 
 def n_links(n: int = 4) -> LiveView:
     """A planar arm of n links; arcs show how far each link is turned from the x axis."""
     sketch = Sketch(f"Planar arm with {n} links", _LENGTH * n * 1.05)
-    knobs = [sketch.knob(Knob.angle(f"theta_{k}", f"θ{subscript(str(k))}", home=radians(home)))
+    knobs = [sketch.knob(Knob.angle(f"theta_{k}", f"θ{subscript(k)}", home=radians(home)))
              for k, home in enumerate(_HOME[:n], start=1)]
     sketch.axes("0", 0, 0.8)
     frame, joints = 0, []
     for k, knob in enumerate(knobs, start=1):
-        index, before = subscript(str(k)), frame
+        index, before = subscript(k), frame
         turned = sketch.move(ROTATE, Z, 0, knob, before)
         frame = sketch.move(TRANSLATE, X, _LENGTH)
         joints.append((turned, ""))
@@ -53,13 +56,13 @@ def n_links(n: int = 4) -> LiveView:
                        sketch.vector(turned, frame))
     _links(sketch, [*joints, (frame, "Q")])
     sketch.reading("Q", "Q⁰ = sum of the rows above = {}", sketch.vector(0, frame))
-    return sketch.view()
+    return LiveView(sketch.scene())
 
 
 def _links(sketch: Sketch, joints: list[tuple[int, str]]) -> None:
     """Links from joint to joint, and a dot with its name at each joint that has one."""
     for k, ((start, _), (stop, _)) in enumerate(pairwise(joints), start=1):
-        sketch.line(f"link-{k}", (_origin(start), _origin(stop)), "link")
+        sketch.line(f"link-{k}", (origin_of(start), origin_of(stop)), "link")
     for frame, name in joints:
         if name:
             sketch.point(name, frame, (0, 0))
@@ -74,7 +77,7 @@ def _legs(sketch: Sketch, names: tuple[str, str], frame: int, length: int,
     """
     corner = _folded(sketch, frame, length, turns, (0.5, -2, 0.5))
     end = sketch.move(TRANSLATE, X, 0, length, frame)
-    sketch.line(f"legs-{names[0]}", (_origin(frame), _origin(corner), _origin(end)))
+    sketch.line(f"legs-{names[0]}", map(origin_of, (frame, corner, end)))
     below = _turned(sketch, _folded(sketch, frame, length, turns, (0.25, -2, 0.25)), turns, 1)
     beside = _turned(sketch, _folded(sketch, corner, length, turns, (-0.25, 2, 0.25)), turns, -1)
     sketch.label(names[0], at(below, (0, -0.2, 0))[0])
@@ -117,13 +120,3 @@ def _both_readings(sketch: Sketch, second: int, end: int, knobs: tuple[int, ...]
     sketch.reading("P_H", "By matrices: P⁰ = H₁⁰ P¹ = {}", sketch.vector(0, second))
     sketch.reading("Q_1", "Q¹ = H₂¹ Q² = {}", sketch.vector(first, end, first))
     sketch.reading("Q_H", "Q⁰ = H₁⁰ Q¹ = {}", sketch.vector(0, end))
-
-
-def _origin(frame: int) -> Point:
-    return at(frame, (0, 0, 0))[0]
-
-
-def _table() -> dict:
-    columns = [{"name": name, "title": title} for name, title in
-               (("x₂", "x axis of frame 2"), ("y₂", "y axis of frame 2"), ("P", "its origin, P"))]
-    return {"pose": {"title": "H₂⁰ = H₁⁰ H₂¹", "columns": columns, "decimals": 3, "unit": ""}}

@@ -8,23 +8,24 @@ from math import pi, radians
 import numpy as np
 
 from ...arms.motions import ROTATE, TRANSLATE, X, Z
-from ...drawing.scene import TRACE, Point, at
+from ...drawing.controls import Knob, Switch, subscript
+from ...drawing.readings import Point
+from ...drawing.scene import at, origin_of
 from ...drawing.sketch import Sketch
-from ...views.live import Knob, LiveView
+from ...views.live import LiveView
 
 L1, L2 = 1.0, 0.6  # m, the arm of the lesson
-_ORIGIN = (0, 0.0, 0.0, 0.0)
 # Curves, and the points of a curve about O and about P: as many as make it look round.
 _LINES, _WIDE, _SMALL = (np.linspace(0, 1, count) for count in (9, 41, 29))
-_TRACE = [{"layer": "trace", "label": "Trace", "title": "Path of the tool", "on": False}]
+_TRACE = Switch("trace", "Trace", "Path of the tool")
 
 
 def ring_view() -> LiveView:
     """The two-link arm, its two lengths, and the circles of the stretched and the folded arm."""
     sketch = Sketch("Two links and the ring they reach", 2.35, unit="m")
-    t1, t2 = (sketch.knob(Knob.angle(f"theta_{k}", f"θ{'₀₁₂'[k]}", home=radians(home)))
+    t1, t2 = (sketch.knob(Knob.angle(f"theta_{k}", f"θ{subscript(k)}", home=radians(home)))
               for k, home in ((1, 35), (2, 60)))
-    l1, l2 = (sketch.knob(Knob.length(f"l_{k}", f"l{'₀₁₂'[k]}", 0.2, 1.05, home, "m"))
+    l1, l2 = (sketch.knob(Knob.length(f"l_{k}", f"l{subscript(k)}", 0.2, 1.05, home, "m"))
               for k, home in ((1, L1), (2, L2)))
     for name, gain, style in (("stretched", 1, "z"), ("folded", -1, "x")):
         _circle(sketch, name, l1, l2, gain, style)
@@ -33,7 +34,7 @@ def ring_view() -> LiveView:
     sketch.move(ROTATE, Z, 0, t2)
     tool = sketch.move(TRANSLATE, X, 0, l2)
     _arm(sketch, elbow, tool)
-    sketch.line("reach", (_ORIGIN, _origin(tool)))
+    sketch.line("reach", map(origin_of, (0, tool)))
     _circle_names(sketch, l1, l2)
     sketch.reading("p", "tool: p⁰ = {} m", sketch.vector(0, tool))
     sketch.reading("p_1", "seen along link 1: (l₁ + l₂C₂, l₂S₂) = {} m",
@@ -54,11 +55,10 @@ def limits_view(theta_1: tuple[float, float] = (-20, 130),
         Limits to begin with, in degrees: from -180...0 to 0...180, and from -180...50 to
         60...180.
     """
-    sketch = Sketch("Two links with joint limits", 1.75, unit="m")
-    sketch.items.clear()  # the curves are the grid
+    sketch = Sketch("Two links with joint limits", 1.75, unit="m", grid=False)  # curves are one
     ends = ((-180, 0, 0, 180), (-180, 50, 60, 180))
     limits = [_limits(sketch, k, *pair) for k, pair in enumerate(zip((theta_1, theta_2), ends), 1)]
-    sweeps = [sketch.knob(Knob(f"s_{k}", f"s{'₀₁₂'[k]}", 0, 1, home, "%", 0.01, 1.0,
+    sweeps = [sketch.knob(Knob(f"s_{k}", f"s{subscript(k)}", 0, 1, home, "%", 0.01, 1.0,
                                f"how far joint {k} is from its lowest to its highest value"))
               for k, home in ((1, 0.5), (2, 0.4))]
     _mesh(sketch, *limits)
@@ -77,21 +77,16 @@ def limits_view(theta_1: tuple[float, float] = (-20, 130),
 
 def _arm(sketch: Sketch, elbow: int, tool: int) -> None:
     for name, ends in (("link-1", (0, elbow)), ("link-2", (elbow, tool))):
-        sketch.line(name, map(_origin, ends), "link")
+        sketch.line(name, map(origin_of, ends), "link")
     for name, frame in (("O", 0), ("P", elbow), ("Q", tool)):
         sketch.point(name, frame, (0, 0))
     sketch.tip = tool
 
 
 def _with_trace(sketch: Sketch, poses: list) -> LiveView:
-    sketch._add("trace", TRACE, "trace", (_origin(sketch.tip),))
-    sketch.items[-1] = replace(sketch.items[-1], layer="trace")
-    poses = [[float(value) for value in pose] for pose in poses]
-    return sketch.view(panels={"layers": _TRACE, "poses": poses})
-
-
-def _origin(frame: int) -> Point:
-    return at(frame, (0, 0, 0))[0]
+    sketch.trace(sketch.tip)
+    sketch.switches, sketch.poses = [_TRACE], poses
+    return LiveView(sketch.scene())
 
 
 # ---- The ring -----------------------------------------------------------------------------
@@ -104,7 +99,7 @@ def _circle(sketch: Sketch, name: str, l1: int, l2: int, gain: int, style: str) 
         sketch.move(ROTATE, Z, angle, None, 0)
         sketch.move(TRANSLATE, X, 0, l1)
         ends.append(sketch.move(TRANSLATE, X, 0, l2, gain=gain))
-    sketch.line(name, map(_origin, ends), style)
+    sketch.line(name, map(origin_of, ends), style)
 
 
 def _circle_names(sketch: Sketch, l1: int, l2: int) -> None:
@@ -129,11 +124,12 @@ def _sweeps() -> list[list[float]]:
 def _limits(sketch: Sketch, k: int, homes: tuple, ends: tuple) -> tuple[int, int]:
     """The two knobs of a joint's limits. They cannot pass each other."""
     low, most, least, high = ends
-    index = "₀₁₂"[k]
+    index = subscript(k)
     ranges = (("from", low, most), ("to", least, high))
-    return tuple(sketch.knob(Knob.angle(f"{word}_{k}", f"θ{index} {word}", radians(a), radians(b),
-                                        radians(home)))
-                 for (word, a, b), home in zip(ranges, homes))
+    first, last = (sketch.knob(Knob.angle(f"{word}_{k}", f"θ{index} {word}", radians(a),
+                                          radians(b), radians(home)))
+                   for (word, a, b), home in zip(ranges, homes))
+    return first, last
 
 
 def _share(sketch: Sketch, before: int, limits: tuple[int, int], share: float) -> int:

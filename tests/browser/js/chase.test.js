@@ -13,7 +13,7 @@ const { motions } = JSON.parse(
 function scene(first = [-Math.PI, Math.PI], second = [-Math.PI, Math.PI]) {
   const joint = ([low, high]) => ({ low, high, unit: "°" });
   const place = { low: -2, high: 2, unit: "m" };
-  return { motions, radius: 2, joints: [joint(first), joint(second), place, place],
+  return { motions, radius: 2, knobs: [joint(first), joint(second), place, place],
            target: { frame: 6, tip: 4, joints: 2, knobs: [2, 3] } };
 }
 const near = (got, wanted, within = 1e-6) => got.forEach((e, k) =>

@@ -7,7 +7,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable
-from dataclasses import replace
 from itertools import accumulate
 from numbers import Integral
 from typing import Any
@@ -15,117 +14,69 @@ from typing import Any
 import numpy as np
 
 from ..arms import inputs
-from ..arms.arm import CONVENTIONS, Arm, _check_arm
-from ..arms.joints import first_pose, joint_range
+from ..arms.arm import CONVENTIONS, Arm, check_arm
+from ..arms.joints import joint_range
 from ..arms.motions import ROTATE, Motion, X, Z
-from ..drawing.arm_scene import arm_scene
-from ..drawing.scene import SPATIAL, Amount, Point, Scene, Vector, at, camera, subscript
-from ..drawing.sketch import Sketch
-from .arm_view import joint_knob
-from .live import Knob, LiveView, decimals
+from .controls import Knob, PoseTable, decimals, subscript
+from .readings import Amount
+from .scene import SPATIAL, Scene, at, camera, origin_of
+from .sketch import Sketch
 
 _AXES, _VIEW = np.eye(3), camera(*SPATIAL["3-D"])[2]
 _LETTERS = {"theta": "θ", "d": "d", "a": "a", "alpha": "α"}
-_HIDDEN = ("frame-", "label-", "axis-", "trace", "ghost")
 _HALF, _HEAD, _END = 8, 14, 16  # frames along a sweep: its middle, its arrow head, its end
 
 
-def parameters_view(arm: Arm, link: int, q: Any = None) -> LiveView:
-    """The four DH parameters of a link, drawn on the arm and moving with it.
-
-    Angles are arcs, lengths are dimension lines. Beside the picture stand the matrix from frame
-    i-1 to frame i and how each parameter is measured; what is zero for ever is not drawn.
-
-    Parameters
-    ----------
-    arm : Arm
-        In either convention.
-    link : int
-        1 to n.
-    q : array, shape (n,), optional
-        Joint values to begin with (rad or length); the arm's home if left out.
-
-    Returns
-    -------
-    LiveView
-        Its knobs are the arm's joints, its readings "theta", "d", "a" and "alpha".
-
-    Raises
-    ------
-    ValueError
-        If `arm` is no arm, has no such link, or `q` does not fit it.
-
-    Examples
-    --------
-    >>> from kinlab import robots
-    >>> view = parameters_view(robots.alpha_ii(), 2)
-    >>> view["theta_2"].value = 40
-    >>> view.readings["theta"]
-    (array([40.]),)
-    """
-    sketch = _LinkSketch(arm, link, q)
+def parameters_scene(arm: Arm, link: int, q: Any) -> Scene:
+    """The four DH parameters of a link, measured on the arm."""
+    sketch = LinkSketch(arm, link, q)
     for k, parameter in enumerate(sketch.parameters):
         sketch.reading(parameter, sketch.rule(k), Amount(sketch.frames[k + 1]))
-    return sketch.view(panels={"pose": sketch.table(f"A{subscript(str(link))}", str(link))})
+    sketch.pose = sketch.table(f"A{subscript(link)}", str(link))
+    return sketch.scene()
 
 
-def motions_view(arm: Arm, link: int, q: Any = None) -> LiveView:
-    """The four motions that carry a frame from frame i-1 to frame i, one after another.
-
-    The knob "motion" says how many are done: at 0 the frame lies on frame i-1, at 4 on frame i.
-    The joints move as well. Parameters and errors are those of `parameters_view`.
-
-    Examples
-    --------
-    >>> from kinlab import robots
-    >>> view = motions_view(robots.alpha_ii(), 2)
-    >>> view["motion"].value = 2.5
-    >>> view.readings["a"]
-    (array([88.9]),)
-    """
-    sketch = _LinkSketch(arm, link, q)
-    sketch.travel()
-    home = [knob.home for knob in sketch.knobs[:-1]]
-    return sketch.view(panels={"poses": [[*home, done] for done in range(5)],
-                               "pose": sketch.table("The frame on its way", "")})
+def motions_scene(arm: Arm, link: int, q: Any) -> Scene:
+    """The four motions from frame i-1 to frame i, as far as the knob "motion" says."""
+    sketch = LinkSketch(arm, link, q)
+    sketch.carry()
+    sketch.poses = [[*sketch.start, done] for done in range(5)]
+    sketch.start.append(0.0)
+    sketch.pose = sketch.table("The frame on its way", "")
+    return sketch.scene()
 
 
-class _LinkSketch(Sketch):
+class LinkSketch(Sketch):
     """The arm, and on it a link's frames, arcs and dimension lines."""
 
-    def __init__(self, arm: Arm, link: int, q: Any) -> None:
-        _check_arm(arm)
-        if not isinstance(link, Integral) or not 1 <= link <= arm.n:
+    def __init__(self, arm: Arm, link: Any, q: Any) -> None:
+        check_arm(arm)
+        if not isinstance(link, Integral) or not 1 <= int(link) <= arm.n:
             raise ValueError(f"link: expected a whole number from 1 to {arm.n}, "
                              f"got {inputs.brief(link)}")
         super().__init__(f"Link {link} of {arm.name or 'the arm'}, {arm.convention} DH",
-                         planar=False, unit=arm.unit)
-        self.arm, self.link, drawn = arm, int(link), arm_scene(arm)
-        self.steps, self.over = list(drawn.motions), drawn.radius
-        self.items = [item for item in drawn.items if not item.gid.startswith(_HIDDEN)]
-        self.start = first_pose(arm, q).tolist()
-        self.knobs = [replace(joint_knob(arm, i), home=self.start[i]) for i in range(arm.n)]
-        self.motions = arm.chain[link]
+                         planar=False, unit=arm.unit, grid=False)
+        self.lay_arm(arm, q, keep=lambda item: not item.layer)
+        self.arm, self.link, self.over = arm, int(link), self.radius
+        self.bare()
+        self.motions = arm.chain[self.link]
         self.parameters = [parameter for _, _, parameter in CONVENTIONS[arm.convention]]
-        self.radius = _closeness(arm, self.motions, drawn.radius)
+        self.radius = _closeness(arm, self.motions, self.radius)
         ends = list(accumulate(sum(not m.idle for m in part) for part in arm.chain))
-        self.first, self.tip = ends[link - 1], ends[link]
+        self.first, self.tip = ends[self.link - 1], ends[self.link]
         self.focus = self._walk(self.motions, slides=0.5)[-1]
         self.frames = self._walk(self.motions)
         self._measure()
 
-    def scene(self) -> Scene:
-        return replace(super().scene(), focus=self.focus)
-
-    def table(self, title: str, name: str) -> dict:
+    def table(self, title: str, name: str) -> PoseTable:
         """The matrix of the last frame, as frame i-1 sees it."""
-        name, before = subscript(name), subscript(str(self.link - 1))
-        columns = [{"name": letter + name, "title": f"{letter} axis"} for letter in "xyz"]
-        return {"title": f"{title}, seen from frame {self.link - 1}", "unit": self.unit,
-                "columns": [*columns, {"name": f"o{name}", "title": f"origin, from O{before}"}],
-                "decimals": decimals(self.radius), "base": self.first}
+        name, before = subscript(name), subscript(self.link - 1)
+        columns = (*((letter + name, f"{letter} axis") for letter in "xyz"),
+                   (f"o{name}", f"origin, from O{before}"))
+        return PoseTable(f"{title}, seen from frame {self.link - 1}", columns, self.unit,
+                         decimals(self.radius), base=self.first)
 
-    def travel(self) -> None:
+    def carry(self) -> None:
         """A frame that a knob carries from frame i-1 to frame i, with the path of its origin."""
         done = self.knob(Knob.length("motion", "motion", 0, 4, title="motions done"))
         frames = [self.first]
@@ -135,11 +86,10 @@ class _LinkSketch(Sketch):
             verb = "turn about" if motion.kind == ROTATE else "slide along"
             self.reading(self.parameters[k], f"{k + 1}. {verb} {'xyz'[motion.axis]} by "
                          f"{self._name(k)}: {{}}{self._unit(motion)}", Amount(frames[-1]))
-        self.line("path", (at(frame, (0, 0, 0))[0] for frame in frames), "trace")
+        self.line("path", map(origin_of, frames), "trace")
         self.axes("", frames[-1], 0.3 * self.radius)
         self.reading("o", f"origin at {{}} {self.unit}, seen from frame {self.link - 1}",
-                     Vector(*(at(frame, (0, 0, 0))[0] for frame in (self.first, frames[-1])),
-                            self.first, 3))
+                     self.vector(self.first, frames[-1], self.first))
         self.tip = frames[-1]
 
     def _walk(self, motions: Iterable[Motion], slides: float = 1.0) -> list[int]:
@@ -179,7 +129,7 @@ class _LinkSketch(Sketch):
             self.line(f"edge-{k}-{frame}", at(frame, (0, 0, 0), 1.2 * beside), style)
         tail, head = (at(frame, beside)[0] for frame in (before, after))
         self.arrow(f"dimension-{k}", tail, head, style)
-        middle = self._part(self.steps[after - 1], before, 0.5)
+        middle = self._part(self._step(after), before, 0.5)
         self.label(self._name(k), at(middle, 1.5 * beside)[0], style)
 
     def _sideways(self, frame: int, axis: int, other: int) -> np.ndarray:
@@ -194,12 +144,12 @@ class _LinkSketch(Sketch):
         """The k-th parameter with its index: a and alpha of a modified row i have i-1."""
         parameter = self.parameters[k]
         behind = self.arm.convention == "modified" and parameter in ("a", "alpha")
-        return _LETTERS[parameter] + subscript(str(self.link - behind))
+        return _LETTERS[parameter] + subscript(self.link - behind)
 
     def rule(self, k: int) -> str:
         """How the k-th parameter is measured, with its name in front and a place for its value."""
         turns, axis = self.motions[k].kind == ROTATE, self.motions[k].axis
-        old, new = (subscript(str(i)) for i in (self.link - 1, self.link))
+        old, new = (subscript(i) for i in (self.link - 1, self.link))
         other, own = ("x", "z") if axis == Z else ("z", "x")
         first = (axis == Z) == (self.arm.convention == "standard")
         return (f"{self._equation(k)} = {{}}{self._unit(self.motions[k])}, from {other}{old} "
@@ -218,10 +168,6 @@ class _LinkSketch(Sketch):
 
     def _unit(self, motion: Motion) -> str:
         return "°" if motion.kind == ROTATE else f" {self.unit}"
-
-    def _add(self, gid: str, shape: str, style: str, points: Iterable[Point], text: str = "",
-             lift: float = 0.0) -> None:
-        super()._add(gid, shape, style, points, text, lift + self.over)  # over the arm
 
 
 def _closeness(arm: Arm, motions: Iterable[Motion], radius: float) -> float:

@@ -1,0 +1,24 @@
+// The script of the table editor's widget: the table, the panel under it, and the live arm.
+
+import { make } from "./dom.js";
+import { showTable } from "./table.js";
+import { showView } from "./widget.js";
+
+/** @import { Host } from "./types.js" */
+
+/** @param {Host} host */
+function render({ model, el }) {
+  const table = make("div"), panel = make("div", { class: "kl-panel" }), arm = make("div");
+  const fill = () => { panel.innerHTML = model.get("panel"); };   // HTML that kinlab has made
+  el.classList.add("kl-editor");
+  el.append(table, panel, arm);
+  fill();
+  model.on("change:panel", fill);
+  const ends = [showTable(model, table), showView(model, arm)];
+  return () => {
+    model.off("change:panel", fill);
+    ends.forEach((end) => end());
+  };
+}
+
+export default { render };

@@ -1,0 +1,94 @@
+"""Formulas under a picture, whose numbers follow its frames and its knobs."""
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import asdict, dataclass
+from typing import ClassVar
+
+import numpy as np
+
+from ..arms.motions import ROTATE, Numbers
+
+Point = tuple[int, float, float, float]
+
+
+@dataclass(frozen=True)
+class _Part:
+    """A number, a vector or a word in a formula; `kind` tells the browser how to read it."""
+
+    kind: ClassVar[str] = ""
+
+    def data(self) -> dict:
+        """Plain data for the browser."""
+        return {"kind": self.kind, **asdict(self)}
+
+
+@dataclass(frozen=True)
+class Vector(_Part):
+    """The vector from one point to another, with its first `size` components in a frame.
+
+    What stands for it on the picture may be drawn smaller; `scale` makes up for that.
+    """
+
+    kind = "vector"
+    tail: Point
+    head: Point
+    frame: int = 0
+    size: int = 2
+    scale: float = 1.0
+
+    def read(self, motions: Sequence, frames: np.ndarray, q: Numbers) -> np.ndarray:
+        tail, head = (frames[k] @ (*local, 1.0) for k, *local in (self.tail, self.head))
+        return self.scale * (frames[self.frame][:3, :3].T @ (head - tail)[:3])[:self.size]
+
+
+@dataclass(frozen=True)
+class Amount(_Part):
+    """How far motion number `step` goes: a length, or an angle in degrees."""
+
+    kind = "amount"
+    step: int
+
+    def read(self, motions: Sequence, frames: np.ndarray, q: Numbers) -> np.ndarray:
+        motion = motions[self.step - 1]
+        return np.array([motion.value(q) * (math.degrees(1) if motion.kind == ROTATE else 1)])
+
+
+@dataclass(frozen=True)
+class Volume(_Part):
+    """The product of the half axes of a velocity ellipsoid (or ellipse, `size` 2)."""
+
+    kind = "volume"
+    ellipsoid: int
+    size: int = 2
+    scale: float = 1.0
+
+    def read(self, motions: Sequence, frames: np.ndarray, q: Numbers) -> np.ndarray:
+        sides = np.diagonal(frames[self.ellipsoid])[:self.size]
+        return np.array([self.scale * np.prod(sides)])
+
+
+@dataclass(frozen=True)
+class Entry(_Part):
+    """One of several texts, by the whole number that a knob stands at."""
+
+    kind = "entry"
+    knob: int
+    texts: tuple[str, ...]
+
+    def read(self, motions: Sequence, frames: np.ndarray, q: Numbers) -> str:
+        return self.texts[min(max(round(q[self.knob]), 0), len(self.texts) - 1)]
+
+
+@dataclass(frozen=True)
+class Reading:
+    """A formula under the picture: text with a ``{}`` for each part."""
+
+    name: str
+    text: str
+    parts: tuple[Vector | Amount | Volume | Entry, ...]
+
+    def data(self) -> dict:
+        """Plain data for the browser."""
+        return {"name": self.name, "text": self.text, "parts": [part.data() for part in self.parts]}
