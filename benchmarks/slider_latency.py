@@ -8,6 +8,7 @@ import random
 import sys
 import tempfile
 import time
+from collections.abc import Callable
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -98,10 +99,14 @@ def press_keys(page: Page, handle: Locator) -> list[float]:
 
 def drag(page: Page, handle: Locator) -> dict[str, float]:
     """Pull the handle along its track; see `drag_figures`."""
-    track = handle.locator("xpath=ancestor::*[contains(@class, 'noUi-base')]").bounding_box()
+    ipywidgets = handle.locator("xpath=ancestor::*[contains(@class, 'noUi-base')]")
+    track = (ipywidgets if ipywidgets.count() else handle).bounding_box()
     path = track["x"] + track["width"] * np.linspace(0.05, 0.95, MOVES + 1)
     y = track["y"] + track["height"] / 2
-    handle.hover()
+    if ipywidgets.count():
+        handle.hover()
+    else:
+        page.mouse.move(path[0], y)
     page.mouse.down()
     page.mouse.move(path[0], y)
     wait_until_still(page)
@@ -140,15 +145,15 @@ def measure(page: Page, lab: Lab, root: Path, subject: Subject) -> None:
     shut_down_kernels(page)
 
 
-def measured() -> list[Subject]:
-    """All subjects, their rounds interleaved."""
-    found = subjects()
+def measured(found: list[Subject], measure: Callable[[Page, Lab, Path, Subject], None],
+             script: str = WATCH) -> list[Subject]:
+    """All subjects that are installed, their rounds interleaved, each in a page with a script."""
     with tempfile.TemporaryDirectory() as root, start_lab(root) as lab, open_browser() as browser:
         for turn in range(1, ROUNDS + 1):
             for subject in (s for s in found if peer(s.needs)):
                 progress(f"round {turn} of {ROUNDS}: {subject.name}")
                 page = browser.new_page(viewport={"width": 1400, "height": 1100})
-                page.add_init_script(WATCH)
+                page.add_init_script(script)
                 measure(page, lab, Path(root), subject)
                 page.close()
     progress()
@@ -181,7 +186,7 @@ def show_goals(ours: Subject, interact: Subject) -> None:
 
 def main() -> None:
     header("Slider to picture, Alpha II", "jupyterlab", "ipywidgets", "ipympl", "playwright")
-    found = measured()
+    found = measured(subjects(), measure)
     table(["", "presses", "p50 ms", "p95 ms", "max ms", "p95 times ArmView", "drag: moves/s",
            "pictures/s", "values", "pictures"],
           [row(subject, found[0]) for subject in found])

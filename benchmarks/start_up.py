@@ -20,6 +20,7 @@ LESSON = Path(__file__).parent.parent / "notebooks" / "07_alpha_ii.ipynb"
 ROUNDS = 9
 KERNEL_ROUNDS = 3
 GOAL_MS = 30
+FIRST_ARM_S, LESSON_S = 1.0, 3.0
 LIVE = "application/vnd.jupyter.widget-view+json"
 
 IMPORTS = {
@@ -129,6 +130,10 @@ def show_lesson(path: Path, figures: dict[str, list[dict[str, float]]]) -> None:
     table([f"Run All of {path.name}", "median s"],
           [["kernel started", seconds["started"]], ["Run All to first live arm", seconds["live"]],
            ["Run All to last cell", seconds["end"]]])
+    goal(f"first live arm within {FIRST_ARM_S} s: {seconds['live']:.2f} s",
+         seconds["live"] <= FIRST_ARM_S)
+    goal(f"the whole lesson within {LESSON_S} s: {seconds['end']:.2f} s",
+         seconds["end"] <= LESSON_S)
     bare, numpy = middle["bare"], middle["numpy"]
     table(["kernel", "RSS MB", "PSS MB", "PSS times bare", "PSS more than numpy, MB"],
           [[name, found["rss"], found["pss"], found["pss"] / bare["pss"],

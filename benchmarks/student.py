@@ -15,7 +15,7 @@ import requests
 import websocket
 
 WAIT = 300  # seconds for anything to happen
-KINLAB_SECONDS = 0.1  # between two messages of a slider: kinlab/browser/host_jupyter.js, TELL
+KINLAB_SECONDS = 0.1  # between two messages of a slider: kinlab/browser/widget.js, TELL
 BROWSER_SECONDS = 1 / 60  # ipywidgets alone: at each movement, once the last one is answered
 
 
@@ -27,13 +27,21 @@ class Drag:
     done: list[float] = field(default_factory=list)  # until all it did was done
 
 
+def sliders_in(state: dict) -> list[tuple[str, float, float]]:
+    """Trait, lowest and highest value of the sliders of a widget: its own, or those of a view."""
+    if "Slider" in (state.get("_view_name") or ""):
+        return [("value", state["min"], state["max"])]
+    return [(knob["name"], knob["low"] / knob["scale"], knob["high"] / knob["scale"])
+            for knob in state.get("scene", {}).get("knobs", [])]
+
+
 class Student:
     """One login with its own server and kernel."""
 
     def __init__(self, hub: str, name: str) -> None:
         self.hub, self.name, self.home = hub, name, f"{hub}/user/{name}"
         self.web, self.session = requests.Session(), uuid.uuid4().hex
-        self.sliders: list[tuple[str, float, float]] = []
+        self.sliders: list[tuple[str, str, float, float]] = []
 
     def log_in(self) -> None:
         """Log in and wait for the server, as the hub's pages do."""
@@ -72,17 +80,17 @@ class Student:
                 raise RuntimeError(f"{self.name}: {told['ename']}: {told['evalue']}")
             printed += told.get("text", "") if message["msg_type"] == "stream" else ""
             state = told.get("data", {}).get("state", {})
-            if message["msg_type"] == "comm_open" and "Slider" in state.get("_view_name", ""):
-                self.sliders.append((told["comm_id"], state["min"], state["max"]))
+            if message["msg_type"] == "comm_open":
+                self.sliders += [(told["comm_id"], *slider) for slider in sliders_in(state)]
         return printed
 
     def drag(self, slider: int, seconds: float, pause: float) -> Drag:
         """Pull a slider to and fro; the next value waits for the last answer, and `pause`."""
-        comm, low, high = self.sliders[slider]
+        comm, trait, low, high = self.sliders[slider]
         drag, began = Drag(), time.perf_counter()
         while (sent := time.perf_counter()) < began + seconds:
             share = abs(1 - (sent - began) / seconds * 2)
-            state = {"value": round(low + (high - low) * share, 6)}
+            state = {trait: round(low + (high - low) * share, 6)}
             request = self._send("comm_msg", {"comm_id": comm, "data": {
                 "method": "update", "state": state, "buffer_paths": []}})
             for message in self._answers(request):

@@ -5,19 +5,18 @@ figure whose mouse events run in Python, its solver kinlab's own.
 """
 from __future__ import annotations
 
-import tempfile
 import time
 from pathlib import Path
 
 import numpy as np
-from measure import NOT_INSTALLED, goal, header, peer, progress, table
-from slider_latency import WATCH, Subject, wait_until_still, write
+from measure import NOT_INSTALLED, goal, header, table
+from slider_latency import WATCH, Subject, measured, wait_until_still, write
 
 # slider_latency has put the browser tests' helpers on the path
-from lab import Lab, open_and_run, open_browser, shut_down_kernels, start_lab  # isort: skip
+from lab import Lab, open_and_run, shut_down_kernels  # isort: skip
 from playwright.sync_api import Locator, Page  # isort: skip
 
-ROUNDS, MOVES, MOVES_PER_SECOND = 3, 120, 60
+MOVES, MOVES_PER_SECOND = 120, 60
 GOAL_MS = 33
 # Notes when the pointer moved while its button was down.
 POINTER = """window.moves = [];
@@ -103,21 +102,6 @@ def measure(page: Page, lab: Lab, root: Path, subject: Subject) -> None:
     shut_down_kernels(page)
 
 
-def measured() -> list[Subject]:
-    """All subjects, their rounds interleaved."""
-    found = subjects()
-    with tempfile.TemporaryDirectory() as root, start_lab(root) as lab, open_browser() as browser:
-        for turn in range(1, ROUNDS + 1):
-            for subject in (s for s in found if peer(s.needs)):
-                progress(f"round {turn} of {ROUNDS}: {subject.name}")
-                page = browser.new_page(viewport={"width": 1400, "height": 1100})
-                page.add_init_script(WATCH + POINTER)
-                measure(page, lab, Path(root), subject)
-                page.close()
-    progress()
-    return found
-
-
 def row(subject: Subject) -> list:
     if not subject.drags:
         return [subject.name, NOT_INSTALLED, *[""] * 5]
@@ -130,7 +114,7 @@ def row(subject: Subject) -> list:
 def main() -> None:
     header("Pointer to picture, a target dragged", "jupyterlab", "ipywidgets", "ipympl",
            "playwright")
-    rows = [row(subject) for subject in measured()]
+    rows = [row(subject) for subject in measured(subjects(), measure, WATCH + POINTER)]
     table(["", "moves", "pictures", "pictures/s", "p50 ms", "p95 ms", "max ms"], rows)
     worst = max(line[5] for line in rows[:3])
     goal(f"p95 from pointer to painted change at most {GOAL_MS} ms: {worst:.1f} ms",
