@@ -8,7 +8,7 @@ import yaml
 
 import kinlab as kl
 
-ROOT = Path(__file__).parents[2]
+ROOT = Path(__file__).parents[1]
 DOCUMENTS = sorted(path for folder in (".", "docs", "benchmarks")
                    for path in (ROOT / folder).glob("*.md"))
 REFERENCE = sorted((ROOT / "docs" / "api").glob("*.rst"))
