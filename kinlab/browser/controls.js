@@ -43,7 +43,6 @@ class Row {
       autocomplete: "off", spellcheck: "false", maxlength: 200 });
     this.unit = make("span", { class: "kl-unit" });
     this.node = make("div", { class: "kl-knob" }, this.label, this.range, this.field, this.unit);
-    this.take(knob);
     this.listen();
   }
 

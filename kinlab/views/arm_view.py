@@ -96,7 +96,7 @@ class ArmView(JointView):
             scene = replace(scene, poses=tuple(map(tuple, _poses(arm, poses).tolist())))
         self._arm = arm
         super().__init__(scene, formula=_formula(arm) if closed_form else "")
-        self.q = start
+        self.note = self._stops(start)
 
     def follow(self, arm: Arm, q: Any = None) -> None:
         """Show another arm in the place of this one.
