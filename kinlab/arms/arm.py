@@ -99,8 +99,7 @@ class Arm:
         return printed.number_rows(self.links, self.convention)
 
     def _title(self) -> str:
-        name = f"{self.name}: " if self.name else ""
-        return f"{name}{self.convention} DH, lengths in {self.unit}, * marks the joint variable"
+        return printed.title(self.name, self.convention, self.unit)
 
 
 def to_modified(arm: Arm) -> Arm:

@@ -33,10 +33,20 @@ def sign_rows(links: Sequence[Link]) -> list[list[str]]:
     return _rows(links, HEADS["standard"], _sign)
 
 
-def lines(rows: Sequence[Sequence[str]]) -> list[str]:
-    """Rows of text, one under the other, each column as wide as it must be."""
+def title(name: str, convention: str, unit: str) -> str:
+    """What stands above a table; `name` may be empty."""
+    start = f"{name}: " if name else ""
+    return f"{start}{convention} DH, lengths in {unit}, * marks the joint variable"
+
+
+def lines(rows: Sequence[Sequence[str]], words: int | None = None) -> list[str]:
+    """Rows of text, one under the other, each column as wide as it must be.
+
+    Numbers end at the right; column number `words`, if there is one, begins at the left.
+    """
     widths = [max(map(len, column)) for column in zip(*rows)]
-    return ["  ".join(cell.rjust(w) for cell, w in zip(row, widths)) for row in rows]
+    return ["  ".join(cell.ljust(w) if k == words else cell.rjust(w)
+                      for k, (cell, w) in enumerate(zip(row, widths))) for row in rows]
 
 
 def html(rows: Sequence[Sequence[str]], start: str = "<table>") -> str:

@@ -3,7 +3,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable
-from itertools import pairwise
+from itertools import accumulate, pairwise
 from typing import Any
 
 import numpy as np
@@ -45,6 +45,11 @@ def arm_scene(arm: Arm, q: Numbers | None = None, *, show: Any = (),
         start=None if q is None else tuple(map(float, q)), switches=switches,
         pose=tool_table(arm, radius), poses=tuple(map(tuple, tour(knobs).tolist())),
         preset=preset or ("top" if is_planar(arm) else "3-D"))
+
+
+def link_ends(arm: Arm) -> list[int]:
+    """Frames of its picture at which the arm's base, each link and the tool end."""
+    return list(accumulate(sum(not motion.idle for motion in part) for part in arm.chain))
 
 
 def _step(motion: Motion) -> Step:

@@ -170,9 +170,13 @@ _COLUMNS = (("n", "normal vector"), ("s", "sliding vector"), ("a", "approach vec
 
 def tool_table(arm: Arm, size: float) -> PoseTable:
     """The table of the tool's pose beside a picture of this size."""
-    tool = str(arm.n) if np.array_equal(arm.tool, np.eye(4)) else "E"
-    return PoseTable(f"T₀{subscript(tool)}, the pose of the tool", _COLUMNS, arm.unit,
+    return PoseTable(f"T₀{subscript(tool_name(arm))}, the pose of the tool", _COLUMNS, arm.unit,
                      decimals(size), "tool")
+
+
+def tool_name(arm: Arm) -> str:
+    """The name of the tool's frame: n, or E where the tool has a frame of its own."""
+    return str(arm.n) if np.array_equal(arm.tool, np.eye(4)) else "E"
 
 
 def decimals(size: float) -> int:

@@ -7,7 +7,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable
-from itertools import accumulate
 from numbers import Integral
 from typing import Any
 
@@ -17,6 +16,7 @@ from ..arms import inputs
 from ..arms.arm import CONVENTIONS, Arm, check_arm
 from ..arms.joints import joint_range
 from ..arms.motions import ROTATE, Motion, X, Z
+from .arm_scene import link_ends
 from .controls import Knob, PoseTable, decimals, subscript
 from .readings import Amount
 from .scene import SPATIAL, Scene, at, camera, origin_of
@@ -62,7 +62,7 @@ class LinkSketch(Sketch):
         self.motions = arm.chain[self.link]
         self.parameters = [parameter for _, _, parameter in CONVENTIONS[arm.convention]]
         self.radius = _closeness(arm, self.motions, self.radius)
-        ends = list(accumulate(sum(not m.idle for m in part) for part in arm.chain))
+        ends = link_ends(arm)
         self.first, self.tip = ends[self.link - 1], ends[self.link]
         self.focus = self._walk(self.motions, slides=0.5)[-1]
         self.frames = self._walk(self.motions)

@@ -124,6 +124,10 @@ class Sketch:
         self.knobs.append(knob)
         return len(self.knobs) - 1
 
+    def theta(self, k: int, home: float) -> int:
+        """Add a slider for θ with the index k, which begins at `home` degrees; its number."""
+        return self.knob(Knob.angle(f"theta_{k}", f"θ{subscript(k)}", home=math.radians(home)))
+
     def move(self, kind: str, axis: int, amount: float = 0.0, knob: int | None = None,
              parent: int | None = None, *, gain: float = 1.0, start: float | None = None,
              scrub: tuple[int, float] | None = None,

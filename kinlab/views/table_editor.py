@@ -10,13 +10,14 @@ from typing import Any
 import numpy as np
 import traitlets
 
-from ..arms import inputs
+from ..arms import inputs, printed
 from ..arms.arm import Arm, check_arm
 from ..arms.joints import first_pose
 from ..arms.link import REVOLUTE, revolute
 from ..browser import bundle, mathml
 from ..drawing import worker
 from ..drawing.arm_scene import arm_scene
+from ..drawing.controls import tool_name
 from ..tables.as_code import from_code, to_code
 from ..tables.as_csv import from_csv, to_csv
 from ..tables.cells import MILLIMETRES
@@ -165,14 +166,11 @@ class DHTableEditor(ArmView):
         self.table = from_code(text).in_angles(self._table.angles) if code else from_csv(text)
 
     def __repr__(self) -> str:
-        rows = table_text(self._table)
-        widths = [max(map(len, column)) for column in zip(*rows)]
-        lines = ["  ".join(cell.ljust(w) if k == 1 else cell.rjust(w)
-                           for k, (cell, w) in enumerate(zip(row, widths))) for row in rows]
-        name = f"{self._table.name!r}: " if self._table.name else ""
-        title = (f"{type(self).__name__}({name}{self._table.convention} DH, "
-                 f"lengths in {self._table.unit}, * marks the joint variable)")
-        return "\n".join([title, *lines, *lengths_text(self._table), *reasons(self._table)])
+        table = self._table
+        title = printed.title(repr(table.name) if table.name else "", table.convention, table.unit)
+        return "\n".join([f"{type(self).__name__}({title})",
+                          *printed.lines(table_text(table), words=1),
+                          *lengths_text(table), *reasons(table)])
 
     def _elsewhere(self) -> tuple[dict, dict]:
         return {"text/plain": repr(self)}, {}
@@ -253,8 +251,7 @@ class DHTableEditor(ArmView):
         latex = closed_form(self._arm, lengths=lengths).latex
         if len(latex) > LONGEST_FORMULA:
             return _ODD
-        tool = self._arm.n if np.array_equal(self._arm.tool, np.eye(4)) else "E"
-        return mathml.named(f"T_0^{{{tool}}} = {latex}", self._arm.n)
+        return mathml.named(f"T_0^{{{tool_name(self._arm)}}} = {latex}", self._arm.n)
 
     def _compared(self) -> str:
         arm, q = self._arm, self.q

@@ -70,8 +70,7 @@ class TargetView(JointView):
             self._followed = False
 
     def move(self, q: Any) -> None:
-        q = one_pose(self.arm, q)
-        self._move([*q, *forward_kinematics(self.arm, q)[:self._axes, 3]])
+        self._move(self._riding(one_pose(self.arm, q)))
 
     @property
     def target(self) -> np.ndarray:
@@ -92,6 +91,10 @@ class TargetView(JointView):
         return (f"TargetView({self._words()}, target=[{numbers(self.target)}] {self.arm.unit}, "
                 f"error={numbers([self.error])} {self.arm.unit})")
 
+    def _riding(self, q: np.ndarray) -> list[float]:
+        """Joint values, and after them the coordinates of a target that rides on the tool."""
+        return [*q, *forward_kinematics(self.arm, q)[:self._axes, 3]]
+
     def _reaching(self, place: np.ndarray) -> np.ndarray:
         """Joint values that bring the tool to the coordinates, or as near as it gets."""
         weights = [float(axis < self._axes) for axis in range(3)]
@@ -106,8 +109,7 @@ class TargetView(JointView):
         if moved[0] >= n:
             self._values[:n] = self._reaching(self._values[n:])
         else:
-            tool = forward_kinematics(self.arm, self._values[:n])[:self._axes, 3]
-            self._values[n:] = self._within([*self._values[:n], *tool])[n:]
+            self._values[n:] = self._within(self._riding(self._values[:n]))[n:]
         self._show_values()
 
     @property

@@ -46,9 +46,8 @@ def seen_back() -> LiveView:
 def chain(n: int = 3) -> LiveView:
     """A chain of n frames: every term of the successive expansion is one arrow."""
     sketch, offset = Sketch(f"A chain of {n} frames", 1.45 * (n + 1)), (1.2, 0.9)
-    knobs = [sketch.knob(Knob.angle(f"theta_{k}", f"θ{subscript(k)}",
-                                    home=radians((50, -80, 60, -100, 60, 40)[k - 1])))
-             for k in range(1, n + 1)]
+    homes = (50, -80, 60, -100, 60, 40)
+    knobs = [sketch.theta(k, homes[k - 1]) for k in range(1, n + 1)]
     frame, turns, length = 0, "", 0.75
     sketch.axes("0", 0, length)
     for k, knob in enumerate(knobs, start=1):

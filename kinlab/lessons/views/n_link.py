@@ -3,7 +3,6 @@ from __future__ import annotations
 
 from collections.abc import Collection
 from dataclasses import replace
-from itertools import accumulate
 from math import radians
 from typing import Any
 
@@ -12,7 +11,7 @@ import numpy as np
 from ...arms.arm import Arm, to_modified, to_standard
 from ...arms.joints import joint_array
 from ...arms.motions import ROTATE, Y, Z
-from ...drawing.arm_scene import arm_scene
+from ...drawing.arm_scene import arm_scene, link_ends
 from ...drawing.controls import Knob, PoseTable, subscript
 from ...drawing.scene import at, origin_of
 from ...drawing.sketch import Sketch
@@ -25,7 +24,7 @@ def both_conventions(arm: Arm, *links: int, q: Any = None) -> LiveView:
     sketch = _over(modified, f"{arm.name}, frames of both conventions", q,
                    {f"axis-{joint}" for i in links for joint in (i, i + 1)})
     far, size = _branch(sketch, standard), 0.2 * sketch.radius
-    near = list(accumulate(sum(not m.idle for m in part) for part in modified.chain))
+    near = link_ends(modified)
     for i in links:
         sketch.axes(str(i), near[i], size)
         sketch.axes(f"{i}′", far[i], 0.7 * size)

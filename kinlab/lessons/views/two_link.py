@@ -2,7 +2,6 @@
 from __future__ import annotations
 
 from itertools import pairwise
-from math import radians
 
 from ...arms.motions import ROTATE, TRANSLATE, X, Z
 from ...drawing.controls import Knob, PoseTable, subscript
@@ -18,8 +17,7 @@ _SHARES = tuple(share / 8 for share in range(9))
 def both_methods() -> LiveView:
     """The two-link arm: its dashed legs are the trigonometry, its frames the matrices."""
     sketch = Sketch("Two-link arm, by both methods", 4)
-    t1, t2 = (sketch.knob(Knob.angle(f"theta_{k}", f"θ{subscript(k)}", home=radians(home)))
-              for k, home in ((1, 35), (2, 25)))
+    t1, t2 = sketch.theta(1, 35), sketch.theta(2, 25)
     l1, l2 = (sketch.knob(Knob.length(f"l_{k}", f"l{subscript(k)}", 0.5, high, home))
               for k, home, high in ((1, 2.0, 2.2), (2, 1.5, 1.8)))
     sketch.axes("0", 0, 0.9)
@@ -42,8 +40,7 @@ def both_methods() -> LiveView:
 def n_links(n: int = 4) -> LiveView:
     """A planar arm of n links; arcs show how far each link is turned from the x axis."""
     sketch = Sketch(f"Planar arm with {n} links", _LENGTH * n * 1.05)
-    knobs = [sketch.knob(Knob.angle(f"theta_{k}", f"θ{subscript(k)}", home=radians(home)))
-             for k, home in enumerate(_HOME[:n], start=1)]
+    knobs = [sketch.theta(k, home) for k, home in enumerate(_HOME[:n], start=1)]
     sketch.axes("0", 0, 0.8)
     frame, joints = 0, []
     for k, knob in enumerate(knobs, start=1):

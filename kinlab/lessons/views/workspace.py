@@ -23,8 +23,7 @@ _TRACE = Switch("trace", "Trace", "Path of the tool")
 def ring_view() -> LiveView:
     """The two-link arm, its two lengths, and the circles of the stretched and the folded arm."""
     sketch = Sketch("Two links and the ring they reach", 2.35, unit="m")
-    t1, t2 = (sketch.knob(Knob.angle(f"theta_{k}", f"θ{subscript(k)}", home=radians(home)))
-              for k, home in ((1, 35), (2, 60)))
+    t1, t2 = sketch.theta(1, 35), sketch.theta(2, 60)
     l1, l2 = (sketch.knob(Knob.length(f"l_{k}", f"l{subscript(k)}", 0.2, 1.05, home, "m"))
               for k, home in ((1, L1), (2, L2)))
     for name, gain, style in (("stretched", 1, "z"), ("folded", -1, "x")):
