@@ -43,6 +43,17 @@ def test_the_arcs_of_an_arm_run_to_the_cumulative_angles():
     np.testing.assert_allclose(view.readings["Q"][0], joint)
 
 
+@pytest.mark.parametrize("view, degrees", [
+    (kl.lessons.two_link.both_methods, {"theta_1": 35, "theta_2": 25}),
+    (kl.lessons.two_link.n_links, {"theta_1": 30, "theta_2": 40, "theta_3": -65, "theta_4": 80}),
+    (kl.lessons.homogeneous.chain, {"theta_1": 50, "theta_2": -80, "theta_3": 60}),
+    (kl.lessons.workspace.ring_view, {"theta_1": 35, "theta_2": 60})])
+def test_angles_begin_where_the_lesson_says(view, degrees):
+    live = view()
+    assert {name: live[name].value for name in degrees} == degrees
+    assert [live[name].description for name in ("theta_1", "theta_2")] == ["θ₁ (°)", "θ₂ (°)"]
+
+
 @pytest.mark.parametrize("n", range(1, 7))
 def test_the_arrows_of_a_chain_run_head_to_tail(n):
     view = kl.lessons.homogeneous.chain(n)
