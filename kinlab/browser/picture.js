@@ -4,7 +4,7 @@
 import { frames, inRoom } from "./frames.js";
 
 /** @import { Camera, Frame, Item, Paint, Scene, Shape, Triple } from "./types.js" */
-/** @typedef {Item & { group: SVGGElement, node: SVGElement }} Drawn */
+/** @typedef {Required<Item> & { group: SVGGElement, node: SVGElement }} Drawn */
 
 /**
  * Cosine and sine of a camera's azimuth, then of its elevation.
@@ -87,9 +87,9 @@ function hull(points) {
 
 /**
  * How the points of a shape become a path.
- * @type {Record<Exclude<Shape, "text">, (points: number[][]) => string>}
+ * @type {Record<string, (points: number[][]) => string>}
  */
-export const PATHS = { line: polyline, trace: polyline, face, arrow, solid: hull };
+export const PATHS = { line: polyline, trace: polyline, face, arrow, hull };
 
 const TRACE_LENGTH = 4000;
 const PAPER = { azimuth: -90, elevation: 90, zoom: 1 };   // x to the right, y up
@@ -119,11 +119,12 @@ const OPEN = ["line", "trace"];                     // shapes that are never fil
  * @returns {Drawn}
  */
 function shown(item, paint) {
-  const { gid, shape, style, text } = item;
+  const { gid, shape, style, text = "" } = item;
   const node = shape === "text" ? drawn("text", { fill: paint.fill ?? paint.stroke ?? "" }, text)
     : drawn("path", { ...paint, fill: OPEN.includes(shape) ? "none" : paint.fill ?? "none" });
   const group = drawn("g", { id: gid, class: `kl-${style} kl-shape-${shape}` }, node);
-  return { ...item, group, node };
+  return { body: -1, layer: "", text, lift: 0, paper: false, size: [], part: "", frame: "",
+           joint: null, link: null, ...item, group, node };
 }
 
 export class Picture {
@@ -226,7 +227,7 @@ export class Picture {
   stack(depths) {
     const mean = new Map([...depths].map(([body, near]) =>
       [body, near.reduce((sum, d) => sum + d, 0) / near.length]));
-    const far = (/** @type {Item} */ item) => mean.get(item.body) ?? 0;
+    const far = (/** @type {Drawn} */ item) => mean.get(item.body) ?? 0;
     const sorted = [...this.bodies].sort((a, b) => far(a) - far(b));
     const order = sorted.map((item) => item.body).join();
     if (order === this.order) return;

@@ -39,23 +39,49 @@ export interface Velocity {
 
 export type Motion = Elementary | Velocity;
 
-export type Shape = "line" | "trace" | "face" | "arrow" | "solid" | "text";
+export type Shape = "line" | "trace" | "face" | "arrow" | "hull" | "text" | "tube" | "ball" |
+  "box" | "axis" | "name";
 
-/** One drawn thing, as Item in kinlab/drawing/scene.py. */
+/** One drawn thing, as Item in kinlab/drawing/scene.py; what is usual is left out. */
 export interface Item {
   gid: string;
   shape: Shape;
   style: string;
   points: Point[];
-  body: number;
-  layer: string;
-  text: string;
-  lift: number;
-  paper: boolean;
+  body?: number;
+  layer?: string;
+  text?: string;
+  lift?: number;
+  paper?: boolean;
+  size?: number[];
+  part?: string;
+  frame?: string;
+  joint?: number | Nothing;
+  link?: number | Nothing;
 }
 
-/** How a style is painted: attributes of SVG. */
-export interface Paint extends Record<string, unknown> { fill?: string; stroke?: string }
+/** The ground: grid, numbers, shadow, and frames from whose origins a line is dropped on it. */
+export interface Floor {
+  height: number;
+  step: number;
+  reach: number;
+  drops: number[];
+  decimals: number;
+}
+
+/** A ball round the arm at home, and the radius of its joints. */
+export interface Fit { middle: Triple; radius: number; thick: number }
+
+/**
+ * How a style is painted: attributes of SVG; a solid's ramps go from shade by a middle to light.
+ */
+export interface Paint extends Record<string, unknown> {
+  fill?: string;
+  stroke?: string;
+  ramp?: string[];
+  hub?: string[];
+  cap?: boolean;
+}
 
 export interface Vector {
   kind: "vector";
@@ -142,13 +168,36 @@ export interface Scene {
   home: number[];
   zero: number[];
   poses: number[][];
+  floor: Floor | Nothing;
+  fit: Fit | Nothing;
 }
 
 /** A scene whose joints follow a target. */
 export type TargetScene = Scene & { target: Target };
 
 /** Where a picture is seen from, angles in degrees. */
-export interface Camera { azimuth: number; elevation: number; zoom: number }
+export interface Camera {
+  azimuth: number;
+  elevation: number;
+  zoom: number;
+  perspective?: boolean;
+}
+
+/**
+ * What a camera makes of the room at one pose: `see` takes a point to [right, down] on the picture
+ * (px) and the size of things there (1 without perspective), `eye` gives the direction from a
+ * point to the viewer, `turn` a direction's components to the right, up and towards the viewer.
+ */
+export interface Lens {
+  right: Triple;
+  up: Triple;
+  near: Triple;
+  scale: number;
+  shrunk: number;
+  see(point: Triple): Triple;
+  eye(point: Triple): Triple;
+  turn(direction: Triple): Triple;
+}
 
 /** Values of the knobs in the scene's units: to read and write, and to hear of. */
 export interface Drive { read(): number[]; write(q: number[]): void }

@@ -14,7 +14,7 @@ from ..arms.kinematics import forward_kinematics, link_frames
 from ..arms.link import PRISMATIC, REVOLUTE
 from ..arms.motions import TRANSLATE, Frame, Motion, Numbers, along, follow, matrix
 from .controls import arm_switches, joint_knobs, subscript, tool_table, tour
-from .scene import ARROW, FACE, LINE, SOLID, TEXT, TRACE, Item, Scene, Step, at
+from .scene import ARROW, FACE, HULL, LINE, TEXT, TRACE, Item, Scene, Step, at
 
 _AXES = np.eye(3)
 _SIDES = 20
@@ -183,7 +183,7 @@ def _cylinder(place: float, t: float) -> list[tuple[str, str, np.ndarray]]:
     angles = np.linspace(0, 2 * np.pi, _SIDES, endpoint=False)
     ring = np.stack([t * np.cos(angles), t * np.sin(angles), np.zeros(_SIDES)], axis=-1)
     top, bottom = ring + [0, 0, place + 1.25 * t], ring + [0, 0, place - 1.25 * t]
-    return [(SOLID, "joint", np.concatenate([top, bottom])), (FACE, "cap", top),
+    return [(HULL, "joint", np.concatenate([top, bottom])), (FACE, "cap", top),
             (FACE, "cap", bottom[::-1])]
 
 

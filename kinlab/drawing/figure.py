@@ -17,7 +17,7 @@ from matplotlib.patheffects import withStroke
 
 from ..arms.motions import Numbers
 from .paints import INK, PAINTS, Paint
-from .scene import ARROW, FACE, SOLID, TEXT, Item, Scene, camera
+from .scene import ARROW, FACE, HULL, TEXT, Item, Scene, camera
 
 _Placed = tuple[Item, np.ndarray]
 
@@ -38,7 +38,7 @@ def outline(shape: str, points: np.ndarray) -> np.ndarray | None:
     if shape == FACE:
         (x, y), (u, v) = flat.T, np.roll(flat, -1, axis=0).T
         return flat if np.sum(x * v - u * y) < 0 else None  # y points down
-    return {SOLID: _hull, ARROW: _arrow}.get(shape, lambda p: p)(flat)
+    return {HULL: _hull, ARROW: _arrow}.get(shape, lambda p: p)(flat)
 
 
 def figure(scene: Scene, q: Numbers, preset: str = "3-D",
@@ -97,7 +97,7 @@ def _add(ax: Axes, item: Item, points: np.ndarray) -> Artist:
         x, y = points[0, :2]
         return ax.text(x, y, item.text, color=PAINTS[item.style].get("fill", INK),
                        fontsize=11, ha="center", va="center", family="sans-serif")
-    corners, closed = outline(item.shape, points), item.shape in (FACE, SOLID, ARROW)
+    corners, closed = outline(item.shape, points), item.shape in (FACE, HULL, ARROW)
     # A face turned away is an empty path: every item has its part in the figure.
     corners = np.empty((0, 2)) if corners is None else corners
     path = np.vstack([corners, corners[:1]]) if closed else corners

@@ -11,7 +11,9 @@ INK, STEEL, PALE, FAINT = "#2b3138", "#7d8b99", "#dfe6ee", "#d5dae0"
 AXIS_COLOURS = {"x": "#D55E00", "y": "#009E73", "z": "#0072B2"}
 
 Paint = TypedDict("Paint", {"stroke": str, "stroke-width": float, "stroke-linejoin": str,
-                            "fill": str, "stroke-dasharray": tuple[float, ...]}, total=False)
+                            "fill": str, "stroke-dasharray": tuple[float, ...],
+                            "ramp": tuple[str, str, str], "hub": tuple[str, str, str],
+                            "cap": bool}, total=False)
 
 
 def _paint(stroke: str, width: float, *, fill: str = "", join: str = "round",
@@ -24,7 +26,26 @@ def _paint(stroke: str, width: float, *, fill: str = "", join: str = "round",
     return paint
 
 
+def _solid(*ramp: str, hub: tuple[str, ...] = (), cap: bool = False) -> Paint:
+    """Colours in the shade, between, and in the light; `hub` those of the disc on its ends."""
+    paint = _paint("#242c34", 0.9)
+    paint["ramp"] = ramp  # type: ignore[typeddict-item]  # three of them
+    if hub:
+        paint["hub"] = hub  # type: ignore[typeddict-item]
+    if cap:
+        paint["cap"] = True
+    return paint
+
+
+_IRON, _HUB = ("#2e3945", "#576878", "#a5b4c2"), ("#2479ae", "#54b2e8", "#b4dffa")
+
 PAINTS: dict[str, Paint] = {
+    "steel": _solid("#6f7c89", "#b3bec9", "#f6f8fa"),         # links
+    "iron": _solid(*_IRON, hub=_HUB, cap=True),               # joints that turn
+    "sleeve": _solid(*_IRON, hub=_HUB),                       # joints that slide
+    "base": _solid(*_IRON, cap=True),
+    "grip": _solid("#333d47", "#63717e", "#adb9c5"),
+    "amber": _solid("#a86400", "#e69f00", "#ffdd94"),         # a link that is pointed at
     "ground": _paint(FAINT, 0.8),
     "mesh": _paint("#a9bccd", 1.0),
     "ghost": _paint(FAINT, 6),

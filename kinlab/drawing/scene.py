@@ -18,7 +18,9 @@ from .controls import Knob, PoseTable, Switch, Target, decimals
 from .paints import PAINTS
 from .readings import Point, Reading
 
-LINE, FACE, SOLID, ARROW, TEXT, TRACE = "line", "face", "solid", "arrow", "text", "trace"
+LINE, FACE, HULL, ARROW, TEXT, TRACE = "line", "face", "hull", "arrow", "text", "trace"
+TUBE, BALL, BOX, AXIS, NAME = "tube", "ball", "box", "axis", "name"
+SOLIDS = (TUBE, BALL, BOX)  # bodies with a surface that light falls on
 SPATIAL = {"3-D": (-60.0, 24.0), "top": (-90.0, 90.0), "front": (-90.0, 0.0), "side": (0.0, 0.0)}
 PLANAR = {"top": (-90.0, 90.0)}
 SIZE = (580.0, 520.0)
@@ -66,13 +68,13 @@ class Step:
         return _told(self) | scrub
 
 
-def _told(motion: Step | Velocity) -> dict:
-    """What the browser has to be told of a motion: fields that are not the usual ones.
+def _told(part: Step | Velocity | Item) -> dict:
+    """What the browser has to be told of a motion or an item: fields that are not the usual ones.
 
     A lesson's picture holds a thousand motions.
     """
-    values = {each.name: getattr(motion, each.name) for each in fields(motion)}
-    return {each.name: values[each.name] for each in fields(motion)
+    values = {each.name: getattr(part, each.name) for each in fields(part)}
+    return {each.name: values[each.name] for each in fields(part)
             if each.default is MISSING or values[each.name] != each.default}
 
 
@@ -136,7 +138,26 @@ def _root(square: np.ndarray) -> np.ndarray:
 
 @dataclass(frozen=True)
 class Item:
-    """One drawn thing.
+    """One drawn thing, made of points in the frames along the motions.
+
+    ====== ================================== ================================================
+    shape  points                             size
+    ====== ================================== ================================================
+    line   its corners; never filled
+    face   corners, seen from one side only
+    hull   any; drawn is the outline of all
+    arrow  tail, tip
+    trace  one, whose way is drawn
+    text   one, where the words want to stand
+    tube   middles of its two ends            radius at the first, radius at the second
+    ball   its middle                         radius
+    box    middles of two opposite faces A    1.0 if it is shown only while B lies on the z
+           and B; then A plus half the width  side of A (a rod that may be wholly inside its
+           of A one way, and the other way    sleeve)
+    axis   origin O, and O plus a unit        where outside the arm it begins (length), and
+           vector: an arrow of constant size  how many frames before it have the same origin
+    name   those of the axis that it names    those of that axis
+    ====== ================================== ================================================
 
     `shape` says how its points become a path, `style` how that is painted, `layer` which switch
     shows it ('' for always), and items of one `body` stay together when nearer ones are
@@ -144,6 +165,10 @@ class Item:
     nearer to the viewer than it is (length unit): a joint covers the link that ends in it,
     frames lie on the arm and their names on both, so that they stay readable. What is on `paper`
     stays where it is however the picture is turned: x to the right, y up.
+
+    `part`, `frame`, `joint` and `link` say what it is a picture of: a kind of thing such as
+    "joint", the name of a frame, the number of a joint from 1, and of the link that it moves
+    with, 0 for the base.
     """
 
     gid: str
@@ -155,6 +180,43 @@ class Item:
     text: str = ""
     lift: float = 0.0
     paper: bool = False
+    size: tuple[float, ...] = ()
+    part: str = ""
+    frame: str = ""
+    joint: int | None = None
+    link: int | None = None
+
+    def data(self) -> dict:
+        """Plain data for the browser."""
+        return _told(self)
+
+
+@dataclass(frozen=True)
+class Floor:
+    """The ground: a grid with numbers, the shadow of all solids, and lines dropped on it.
+
+    Lines are `step` apart and reach `reach` from the room's origin, at the height `height`. From
+    the origin of each frame in `drops` a line falls to its foot; numbers have `decimals`.
+    """
+
+    height: float
+    step: float
+    reach: float
+    drops: tuple[int, ...] = ()
+    decimals: int = 2
+
+
+@dataclass(frozen=True)
+class Fit:
+    """The picture follows the solids: at home they fill it, and no pose leaves it.
+
+    `middle` and `radius` are those of a ball round the arm at home, `thick` the radius of its
+    joints.
+    """
+
+    middle: tuple[float, float, float]
+    radius: float
+    thick: float
 
 
 @dataclass(frozen=True)
@@ -185,6 +247,8 @@ class Scene:
     poses: tuple[tuple[float, ...], ...] = () # that Play moves between
     target: Target | None = None
     decimals: int | None = None               # of formulas; what fits the size if left out
+    floor: Floor | None = None
+    fit: Fit | None = None                    # how the picture is framed; by the radius if left out
 
     @property
     def scale(self) -> float:
@@ -241,7 +305,7 @@ class Scene:
                  "poses")
         return {key: getattr(self, key) for key in plain} | {
             "motions": [motion.data() for motion in self.motions],
-            "items": [asdict(item) for item in self.items],
+            "items": [item.data() for item in self.items],
             "paints": {item.style: PAINTS[item.style] for item in self.items},
             "readings": [reading.data() for reading in self.readings],
             "place": self.heart, "preset": self.seen_from,
@@ -250,6 +314,7 @@ class Scene:
             "layers": [asdict(switch) for switch in self.switches],
             "pose": self.pose and self.pose.data(),
             "target": self.target and asdict(self.target),
+            "floor": self.floor and asdict(self.floor), "fit": self.fit and asdict(self.fit),
             "decimals": decimals(self.radius) if self.decimals is None else self.decimals,
         }
 

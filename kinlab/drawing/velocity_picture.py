@@ -9,7 +9,7 @@ from ..arms.link import REVOLUTE
 from ..arms.motions import Numbers
 from .controls import Switch, subscript
 from .readings import Vector, Volume
-from .scene import ARROW, SOLID, TEXT, Scene, Velocity, at, circle, origin_of
+from .scene import ARROW, HULL, TEXT, Scene, Velocity, at, circle, origin_of
 from .sketch import Sketch
 
 SECONDS = 0.3  # of motion that an arrow shows
@@ -38,7 +38,7 @@ def _ellipse(sketch: Sketch, rates: tuple[float, ...]) -> None:
     """The image of a circle, or of points all over a sphere, under everything."""
     sketch.steps.append(Velocity(sketch.tip, rates))
     points = circle(61)[:-1] if sketch.planar else _sphere(300)
-    sketch.add("ellipse", SOLID, "ellipse", at(len(sketch.steps), *points), body=-1,
+    sketch.add("ellipse", HULL, "ellipse", at(len(sketch.steps), *points), body=-1,
                layer="ellipse")
 
 

@@ -66,7 +66,7 @@ def assert_same_picture(page, scene, q, camera):
             assert abs(seen["texts"][item.gid][1] - points[0, 1]) < 6
         else:
             assert_same_path(item, seen["paths"][item.gid], points)
-        if item.shape in ("face", "solid", "arrow"):
+        if item.shape in ("face", "hull", "arrow"):
             assert seen["fills"][item.gid] != "none"
     under = [item.gid for item in scene.items if item.body < 0]
     bodies = {item.gid: item.body for item in scene.items if item.body >= 0}
@@ -89,7 +89,7 @@ def assert_same_path(item, path, points):
         assert path == ""
         return
     corners = numbers(path)
-    if item.shape == "solid":  # equal hulls reach equally far in every direction
+    if item.shape == "hull":  # equal hulls reach equally far in every direction
         turns = np.linspace(0, 2 * np.pi, 48)
         rays = np.stack([np.cos(turns), np.sin(turns)])
         np.testing.assert_allclose((corners @ rays).max(0), (outline @ rays).max(0), atol=0.03)
@@ -97,7 +97,7 @@ def assert_same_path(item, path, points):
         np.testing.assert_allclose(corners[-1], outline[-1], atol=0.25)
     else:
         np.testing.assert_allclose(corners, outline, atol=0.02)
-    assert path.endswith("Z") == (item.shape in ("face", "solid"))
+    assert path.endswith("Z") == (item.shape in ("face", "hull"))
 
 
 @course

@@ -169,7 +169,7 @@ def test_a_solid_is_the_hull_of_its_points(arm_and_q, preset):
     scene = arm_scene(arm)
     frames, view = scene.frames(q), figure.camera(*SPATIAL[preset])
     for item in scene.items:
-        if item.shape == "solid":
+        if item.shape == "hull":
             points = figure.project(scene, frames, view, item)
             hull = figure.outline(item.shape, points)
             sides = np.roll(hull, -1, axis=0) - hull
