@@ -2,8 +2,9 @@
 // in kinlab/ik/descent.py, for the tool point alone; a student's own targets go to kinlab's
 // inverse_kinematics, which explains itself.
 
-import { cross, dot, frames, velocities } from "./frames.js";
+import { frames, velocities } from "./frames.js";
 import { clip } from "./steps.js";
+import { cross, dot } from "./vectors.js";
 
 /** @import { Drive, Frame, Knob, Scene, Solved, TargetScene, Triple } from "./types.js" */
 /** @typedef {{ q: number[], all: Frame[], e: Triple, cost: number }} Look */

@@ -1,6 +1,7 @@
 // Where frames go: the recurrence of kinlab/arms/motions.py at the knobs' values.
 
 import { clip } from "./steps.js";
+import { cross, dot } from "./vectors.js";
 
 /** @import { Elementary, Frame, Motion, Triple, Velocity } from "./types.js" */
 
@@ -60,12 +61,6 @@ function moved(motion, parent, q) {
   }
   return frame;
 }
-
-/** @type {(u: Triple, v: Triple) => number} */
-export const dot = (u, v) => u.reduce((sum, e, k) => sum + e * v[k], 0);
-
-/** @type {(u: Triple, v: Triple) => Triple} */
-export const cross = ([a, b, c], [d, e, f]) => [b * f - c * e, c * d - a * f, a * e - b * d];
 
 /**
  * Velocity of the origin of frame `of` for a unit rate of each of n knobs, as in

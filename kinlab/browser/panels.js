@@ -1,8 +1,9 @@
 // What stands under the picture and follows it: the tool's pose, formulas, a target's error.
 
 import { make, number, write } from "./dom.js";
-import { ROTATE, dot, inRoom, travel } from "./frames.js";
+import { ROTATE, inRoom, travel } from "./frames.js";
 import { clip } from "./steps.js";
+import { dot } from "./vectors.js";
 
 /** @import { Amount, Elementary, Entry, Frame, Part, Pose, Scene, Solved } from "./types.js" */
 /** @import { TargetScene, Vector, Volume } from "./types.js" */

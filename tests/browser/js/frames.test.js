@@ -3,9 +3,7 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
 
-import {
-  cross, dot, frames, inRoom, seenFrom, velocities,
-} from "../../../kinlab/browser/frames.js";
+import { frames, inRoom, seenFrom, velocities } from "../../../kinlab/browser/frames.js";
 
 const scenes = JSON.parse(readFileSync(new URL("frames.json", import.meta.url), "utf8"));
 const near = (got, wanted, told) => assert.ok(Math.abs(got - wanted) < 1e-9,
@@ -42,6 +40,4 @@ test("a frame seen from another, and a point of a frame", () => {
   assert.deepEqual(seenFrom(turned, room), turned);
   assert.deepEqual(seenFrom(room, turned).map((column) => column.map((e) => e + 0)),
     [[0, -1, 0], [1, 0, 0], [0, 0, 1], [-4, 3, 0]]);
-  assert.equal(dot([1, 2, 3], [4, 5, 6]), 32);
-  assert.deepEqual(cross([1, 2, 3], [4, 5, 6]), [-3, 6, -3]);
 });
