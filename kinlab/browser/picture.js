@@ -2,6 +2,7 @@
 // kinlab/drawing/figure.py, become paths, and nearer groups are put over farther ones.
 
 import { frames, inRoom } from "./frames.js";
+import { hull } from "./solids.js";
 
 /** @import { Camera, Frame, Item, Paint, Scene, Shape, Triple } from "./types.js" */
 /** @typedef {Required<Item> & { group: SVGGElement, node: SVGElement }} Drawn */
@@ -64,32 +65,12 @@ function arrow([tail, tip]) {
   return polyline([tail, neck, wing(1), tip, wing(-1), neck, tail]);
 }
 
-/** @type {(o: number[], a: number[], b: number[]) => number} */
-const turn = ([x, y], [u, v], [s, t]) => (u - x) * (t - y) - (v - y) * (s - x);
-
-/**
- * The outline round all points, by Andrew's monotone chain.
- * @param {number[][]} points
- */
-function hull(points) {
-  const ordered = [...points].sort((p, q) => p[0] - q[0] || p[1] - q[1]);
-  const half = (/** @type {number[][]} */ chain) => {
-    /** @type {number[][]} */
-    const kept = [];
-    for (const p of chain) {
-      for (let k = kept.length; k > 1 && turn(kept[k - 2], kept[k - 1], p) <= 0; k--) kept.pop();
-      kept.push(p);
-    }
-    return kept.slice(0, -1);
-  };
-  return `${polyline([...half(ordered), ...half(ordered.reverse())])} Z`;
-}
-
 /**
  * How the points of a shape become a path.
  * @type {Record<string, (points: number[][]) => string>}
  */
-export const PATHS = { line: polyline, trace: polyline, face, arrow, hull };
+export const PATHS = { line: polyline, trace: polyline, face, arrow,
+                       hull: (points) => `${polyline(hull(points))} Z` };
 
 const TRACE_LENGTH = 4000;
 const PAPER = { azimuth: -90, elevation: 90, zoom: 1 };   // x to the right, y up

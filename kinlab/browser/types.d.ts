@@ -199,6 +199,23 @@ export interface Lens {
   turn(direction: Triple): Triple;
 }
 
+/** Levels from one place on the picture (px) straight to another; OFFSETS says where. */
+export interface Across { from: number[]; to: number[]; levels: number[] }
+
+/** Levels from a place on the picture (px) outwards. */
+export interface Round { center: number[]; radius: number; levels: number[] }
+
+/**
+ * A part of a solid on the picture: its closed outline (px), of a mark an open line, with one
+ * level of its ramp (a hub's own) or a gradient. A mark is a plain line.
+ */
+export interface Face {
+  role: "side" | "cap" | "hub" | "mark" | "face";
+  points: number[][];
+  level: number | null;
+  gradient: Across | Round | null;
+}
+
 /** Values of the knobs in the scene's units: to read and write, and to hear of. */
 export interface Drive { read(): number[]; write(q: number[]): void }
 export interface Joints extends Drive {

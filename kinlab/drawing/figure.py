@@ -3,7 +3,7 @@ from __future__ import annotations
 
 import io
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from typing import Any
 
 import matplotlib
@@ -18,6 +18,7 @@ from matplotlib.patheffects import withStroke
 from ..arms.motions import Numbers
 from .paints import INK, PAINTS, Paint
 from .scene import ARROW, FACE, HULL, TEXT, Item, Scene, camera
+from .solids import hull
 
 _Placed = tuple[Item, np.ndarray]
 
@@ -38,7 +39,7 @@ def outline(shape: str, points: np.ndarray) -> np.ndarray | None:
     if shape == FACE:
         (x, y), (u, v) = flat.T, np.roll(flat, -1, axis=0).T
         return flat if np.sum(x * v - u * y) < 0 else None  # y points down
-    return {HULL: _hull, ARROW: _arrow}.get(shape, lambda p: p)(flat)
+    return {HULL: hull, ARROW: _arrow}.get(shape, lambda p: p)(flat)
 
 
 def figure(scene: Scene, q: Numbers, preset: str = "3-D",
@@ -122,22 +123,3 @@ def _arrow(points: np.ndarray) -> np.ndarray:
     head = min(9.0, 0.5 * length)
     neck, side = tip - head * along, 0.36 * head * np.array([-along[1], along[0]])
     return np.array([tail, neck, neck + side, tip, neck - side, neck, tail])
-
-
-def _hull(points: np.ndarray) -> np.ndarray:
-    """Convex hull of points in the plane, by Andrew's monotone chain."""
-    ordered = sorted(map(tuple, points))
-
-    def half(chain: Iterable[tuple]) -> list[tuple]:
-        hull: list[tuple] = []
-        for p in chain:
-            while len(hull) > 1 and _turn(hull[-2], hull[-1], p) <= 0:
-                hull.pop()
-            hull.append(p)
-        return hull[:-1]
-
-    return np.array(half(ordered) + half(reversed(ordered)))
-
-
-def _turn(o: tuple, a: tuple, b: tuple) -> float:
-    return (a[0] - o[0]) * (b[1] - o[1]) - (a[1] - o[1]) * (b[0] - o[0])
