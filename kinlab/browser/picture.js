@@ -101,7 +101,7 @@ const OPEN = ["line", "trace"];                     // shapes that are never fil
  */
 function shown(item, paint) {
   const { gid, shape, style, text = "" } = item;
-  const node = shape === "text" ? drawn("text", { fill: paint.fill ?? paint.stroke ?? "" }, text)
+  const node = shape === "text" ? drawn("text", { fill: paint.words ?? paint.fill ?? "" }, text)
     : drawn("path", { ...paint, fill: OPEN.includes(shape) ? "none" : paint.fill ?? "none" });
   const group = drawn("g", { id: gid, class: `kl-${style} kl-shape-${shape}` }, node);
   return { body: -1, layer: "", text, lift: 0, paper: false, size: [], part: "", frame: "",

@@ -77,6 +77,7 @@ export interface Fit { middle: Triple; radius: number; thick: number }
  */
 export interface Paint extends Record<string, unknown> {
   fill?: string;
+  words?: string;
   stroke?: string;
   ramp?: string[];
   hub?: string[];

@@ -96,7 +96,8 @@ def _far_to_near(placed: list[_Placed]) -> list[_Placed]:
 def _add(ax: Axes, item: Item, points: np.ndarray) -> Artist:
     if item.shape == TEXT:
         x, y = points[0, :2]
-        return ax.text(x, y, item.text, color=PAINTS[item.style].get("fill", INK),
+        paint = PAINTS[item.style]
+        return ax.text(x, y, item.text, color=paint.get("words", paint.get("fill", INK)),
                        fontsize=11, ha="center", va="center", family="sans-serif")
     corners, closed = outline(item.shape, points), item.shape in (FACE, HULL, ARROW)
     # A face turned away is an empty path: every item has its part in the figure.

@@ -1,7 +1,7 @@
 """One link of an arm as textbooks draw it: its four parameters measured, its four motions done.
 
-The arm is drawn as ever, but of the frames only i-1 and i stay. What is measured about or along
-a z axis (theta, d) has that axis' colour, and so has what belongs to an x axis (a, alpha).
+The arm is drawn as ever, but of the frames only i-1 and i stay. Angles (theta, alpha) are arcs,
+lengths (d, a) are dimension lines, each kind in the colour that it has in formulas.
 """
 from __future__ import annotations
 
@@ -105,7 +105,7 @@ class LinkSketch(Sketch):
         for k, motion in enumerate(self.motions):
             if not motion.idle:
                 draw = self._arc if motion.kind == ROTATE else self._dimension
-                draw(k, "xyz"[motion.axis], self.frames[k], self.frames[k + 1])
+                draw(k, motion.axis, self.frames[k], self.frames[k + 1])
         for name, frame in (("before", self.first), ("after", self.tip)):
             reach = 0.42 * self.radius * _AXES[Z]
             self.line(f"z-{name}", at(frame, -reach, reach), "axis")
@@ -113,24 +113,24 @@ class LinkSketch(Sketch):
         self.axes(str(self.link - 1), self.first, 0.22 * self.radius)
         self.axes(str(self.link), self.tip, (0.22 if apart else 0.28) * self.radius)
 
-    def _arc(self, k: int, style: str, before: int, after: int) -> None:
+    def _arc(self, k: int, axis: int, before: int, after: int) -> None:
         """From the other axis as it was to where the turn leaves it, with both drawn as rays."""
-        place = self.radius * (0.32 * _AXES[X] if style == "z" else 0.37 * _AXES[Z])
+        place = self.radius * (0.32 * _AXES[X] if axis == Z else 0.37 * _AXES[Z])
         for frame in (before, after):
             self.line(f"ray-{k}-{frame}", at(frame, (0, 0, 0), 1.08 * place))
-        marks = self.sweep(f"arc-{k}", after, place, style)
-        self.arrow(f"head-{k}", at(marks[_HEAD], place)[0], at(marks[_END], place)[0], style)
-        self.label(self._name(k), at(marks[_HALF], 1.17 * place)[0], style)
+        marks = self.sweep(f"arc-{k}", after, place)
+        self.arrow(f"head-{k}", at(marks[_HEAD], place)[0], at(marks[_END], place)[0], "angle")
+        self.label(self._name(k), at(marks[_HALF], 1.17 * place)[0], "angle")
 
-    def _dimension(self, k: int, style: str, before: int, after: int) -> None:
+    def _dimension(self, k: int, axis: int, before: int, after: int) -> None:
         """Beside the link, between two short lines out from where the slide begins and ends."""
-        beside = 0.16 * self.radius * self._sideways(before, *((Z, X) if style == "z" else (X, Z)))
+        beside = 0.16 * self.radius * self._sideways(before, axis, X if axis == Z else Z)
         for frame in (before, after):
-            self.line(f"edge-{k}-{frame}", at(frame, (0, 0, 0), 1.2 * beside), style)
+            self.line(f"edge-{k}-{frame}", at(frame, (0, 0, 0), 1.2 * beside), "length")
         tail, head = (at(frame, beside)[0] for frame in (before, after))
-        self.arrow(f"dimension-{k}", tail, head, style)
+        self.arrow(f"dimension-{k}", tail, head, "length")
         middle = self._part(self._step(after), before, 0.5)
-        self.label(self._name(k), at(middle, 1.5 * beside)[0], style)
+        self.label(self._name(k), at(middle, 1.5 * beside)[0], "length")
 
     def _sideways(self, frame: int, axis: int, other: int) -> np.ndarray:
         """Across an axis of a frame and across the view at first; not towards the other axis."""

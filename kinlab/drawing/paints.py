@@ -1,17 +1,42 @@
 """How each style is painted: one recipe for both hands, with SVG's names for its parts.
 
-Widths and dashes are in pixels of the picture. An open line is never filled.
+Each quantity has one colour, in pictures, formulas and numbers of all lessons. Widths and dashes
+are in pixels of the picture. An open line is never filled.
 """
 from __future__ import annotations
 
-from typing import TypedDict
+from typing import NamedTuple, TypedDict
 
-# Okabe-Ito colours; axes are also labelled, so colour is never the only cue.
 INK, STEEL, PALE, FAINT = "#2b3138", "#7d8b99", "#dfe6ee", "#d5dae0"
-AXIS_COLOURS = {"x": "#D55E00", "y": "#009E73", "z": "#0072B2"}
+
+
+class Colour(NamedTuple):
+    """Of lines and of words on light paper, and of both on dark paper."""
+
+    line: str
+    words: str
+    dark: str
+
+
+# kinlab/browser/live.css says the same once more, as --kl-x, --kl-angle, ... Words are told from
+# their paper by 4.5:1 at least. Colour is never the only cue: axes, angles and lengths carry
+# names, angles are arcs and lengths are dimension lines, a target is a ring, what is missing to
+# it is dashed, and so is the second of two curves.
+COLOURS = {
+    "x": Colour("#D55E00", "#B84F00", "#FF8A3D"),       # axes: those of Okabe and Ito
+    "y": Colour("#009E73", "#007D5B", "#2FD0A0"),
+    "z": Colour("#0072B2", "#0068A8", "#56B4E9"),
+    "angle": Colour("#7A3E9D", "#7A3E9D", "#C79BE8"),
+    "length": Colour("#8A5A00", "#8A5A00", "#D9B25F"),
+    "point": Colour("#B0457F", "#B0457F", "#F08CC0"),   # a point, the tool's tip and its way
+    "target": Colour("#A3123A", "#A3123A", "#FF7D97"),
+    "first": Colour(INK, INK, "#E3E7EA"),               # of two curves
+    "second": Colour("#5F6B00", "#5F6B00", "#B9C84A"),
+    "pointed": Colour("#E69F00", INK, "#FFB935"),       # what is pointed at; words on it are ink
+}
 
 Paint = TypedDict("Paint", {"stroke": str, "stroke-width": float, "stroke-linejoin": str,
-                            "fill": str, "stroke-dasharray": tuple[float, ...],
+                            "fill": str, "stroke-dasharray": tuple[float, ...], "words": str,
                             "ramp": tuple[str, str, str], "hub": tuple[str, str, str],
                             "cap": bool}, total=False)
 
@@ -23,6 +48,15 @@ def _paint(stroke: str, width: float, *, fill: str = "", join: str = "round",
         paint["fill"] = fill
     if dash:
         paint["stroke-dasharray"] = dash
+    return paint
+
+
+def _quantity(name: str, width: float, *, filled: bool = True,
+              dash: tuple[float, ...] = ()) -> Paint:
+    """Lines, arrows and words in the colour of a quantity."""
+    line, words, _ = COLOURS[name]
+    paint = _paint(line, width, fill=line if filled else "", dash=dash)
+    paint["words"] = words
     return paint
 
 
@@ -54,19 +88,22 @@ PAINTS: dict[str, Paint] = {
     "joint": _paint(INK, 1.0, fill="#b4c1cf"),
     "cap": _paint(INK, 1.0, fill=PALE),
     "gripper": _paint(INK, 3.2, join="miter"),
-    "tool": _paint("#CC79A7", 6),
     "axis": _paint(INK, 1, dash=(6, 3, 1.5, 3)),
     "dashed": _paint(STEEL, 1.4, dash=(5.6, 4.2)),
-    "arc": _paint(INK, 1.4),
     "vector": _paint(INK, 2, fill=INK),
-    "ellipse": _paint("#56B4E9", 1.6, fill="#56B4E940"),
-    "target": _paint("#D55E00", 2.2),
-    "miss": _paint("#D55E00", 1.4, dash=(5.6, 4.2)),
-    "first": _paint("#D55E00", 2),
-    "second": _paint("#0072B2", 2, dash=(10, 4)),
-    "first-dot": _paint("#D55E00", 8),
-    "second-dot": _paint("#0072B2", 8),
-    "trace": _paint("#CC79A7", 1.6),
+    "ellipse": _paint("#5b6770", 1.6, fill="#5b677030"),
+    "arc": _quantity("angle", 1.6, filled=False),
+    "tool": _quantity("point", 6, filled=False),              # a dot
+    "trace": _quantity("point", 1.6, filled=False),
+    "miss": _quantity("target", 1.4, filled=False, dash=(5.6, 4.2)),
+    "first-dot": _quantity("first", 8, filled=False),
+    "second-dot": _quantity("second", 8, filled=False),
     "ink": {"fill": INK},
-    **{axis: _paint(colour, 1.8, fill=colour) for axis, colour in AXIS_COLOURS.items()},
+    **{axis: _quantity(axis, 1.8) for axis in "xyz"},
+    **{name: _quantity(name, 1.6) for name in ("angle", "length")},
+    "limit": _quantity("angle", 1.6, filled=False, dash=(7, 4)),   # where a joint's angle ends
+    "point": _quantity("point", 2),
+    "target": _quantity("target", 2.2),
+    "first": _quantity("first", 2),
+    "second": _quantity("second", 2, dash=(10, 4)),
 }

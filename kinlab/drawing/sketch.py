@@ -197,7 +197,8 @@ class Sketch:
         self.line(name, [at(frame, place)[0] for frame in marks], style)
         if text:
             outside = (1.25 if motion.kind == ROTATE else 1.0) * np.array(place, dtype=float)
-            self.label(text, at(marks[8], outside)[0])
+            self.label(text, at(marks[8], outside)[0],
+                       "angle" if motion.kind == ROTATE else "length")
         return marks
 
     def vector(self, tail: Point | int, head: Point | int, frame: int = 0) -> Vector:

@@ -19,7 +19,7 @@ from .sketch import Sketch
 SIZE, HEART = (940.0, 570.0), (470.0, 208.0)   # px: the picture, and the middle of the arms
 _LEFT, _RIGHT, _TOP, _BOTTOM = 70.0, 915.0, 436.0, 540.0  # px: the error curve
 _HIGH, _LOW = 1, -9  # decades of the error that the curve shows
-_STYLES, _WORDS = ("first", "second"), ("x", "z")
+_STYLES = ("first", "second")
 
 
 class Tried(Protocol):
@@ -74,7 +74,7 @@ class _Solves(Sketch):
         self.add(f"{method}-path", LINE, "trace", at(root, *places), lift=2 * self.radius)
         ring = self.goal + 0.05 * self.drawing.radius * circle(25)
         self.add(f"{method}-target", LINE, "target", at(root, *ring), lift=3 * self.radius)
-        self._word(method, (HEART[0] + (2 * k - 1) * 0.25 * SIZE[0], 14.0), _WORDS[k])
+        self._word(method, (HEART[0] + (2 * k - 1) * 0.25 * SIZE[0], 14.0), _STYLES[k])
 
     def chart(self, trails: Mapping[str, Sequence[Tried]], last: int) -> None:
         """The errors in powers of ten, a dot on each curve at the step shown."""

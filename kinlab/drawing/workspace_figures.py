@@ -15,9 +15,11 @@ from matplotlib.patheffects import withStroke
 from ..arms import inputs
 from ..arms.kinematics import forward_kinematics, link_frames, reach
 from ..arms.workspace import Workspace
+from .paints import COLOURS
 
-# Okabe-Ito blue and vermilion, told apart by line style too.
-INNER, OUTER, FILL, ARM = "#D55E00", "#0072B2", "#b7d6ea", "#4a525b"
+# Told apart by line style too.
+INNER, OUTER = COLOURS["second"].line, COLOURS["first"].line
+FILL, ARM = "#c9d3dd", "#4a525b"
 _FAR = "distance from the base's axis"
 
 See = Callable[[np.ndarray], np.ndarray]  # points of the room as two numbers each

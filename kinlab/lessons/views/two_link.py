@@ -101,7 +101,7 @@ def _bearing(sketch: Sketch, name: str, level: int, turns: list[int]) -> None:
     arc = [_turned(sketch, level, turns, share) for share in _SHARES]
     sketch.line(f"level-{name}", at(level, (0, 0, 0), (0.7, 0, 0)))
     sketch.line(f"arc-{name}", [at(frame, (0.5, 0, 0))[0] for frame in arc], "arc")
-    sketch.label(name, at(arc[4], (0.72, 0, 0))[0])
+    sketch.label(name, at(arc[4], (0.72, 0, 0))[0], "angle")
 
 
 def _both_readings(sketch: Sketch, second: int, end: int, knobs: tuple[int, ...]) -> None:

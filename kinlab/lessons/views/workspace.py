@@ -26,7 +26,7 @@ def ring_view() -> LiveView:
     t1, t2 = sketch.theta(1, 35), sketch.theta(2, 60)
     l1, l2 = (sketch.knob(Knob.length(f"l_{k}", f"l{subscript(k)}", 0.2, 1.05, home, "m"))
               for k, home in ((1, L1), (2, L2)))
-    for name, gain, style in (("stretched", 1, "z"), ("folded", -1, "x")):
+    for name, gain, style in (("stretched", 1, "first"), ("folded", -1, "second")):
         _circle(sketch, name, l1, l2, gain, style)
     first = sketch.move(ROTATE, Z, 0, t1, 0)
     elbow = sketch.move(TRANSLATE, X, 0, l1)
@@ -156,12 +156,11 @@ def _curve(sketch: Sketch, name: str, shoulders: Iterable[int], bend: Iterable[f
 def _mesh(sketch: Sketch, first: tuple[int, int], second: tuple[int, int]) -> None:
     """Curves of constant joint values; those at the limits are the coloured edges."""
     along, across = (_shoulders(sketch, first, shares) for shares in (_WIDE, _LINES))
-    styles = ["x", *["mesh"] * (len(_LINES) - 2), "x"]
-    for k, (share, style) in enumerate(zip(_LINES, styles)):
+    inner = ["mesh"] * (len(_LINES) - 2)
+    for k, (share, style) in enumerate(zip(_LINES, ["limit", *inner, "limit"])):
         _curve(sketch, f"bend-{k}", along, [share] * len(along), second, style)
-    for k, (frame, style) in enumerate(zip(across, styles)):
-        _curve(sketch, f"turn-{k}", [frame] * len(_SMALL), _SMALL, second,
-               style.replace("x", "y"))
+    for k, (frame, style) in enumerate(zip(across, ["angle", *inner, "angle"])):
+        _curve(sketch, f"turn-{k}", [frame] * len(_SMALL), _SMALL, second, style)
 
 
 def _shoulders(sketch: Sketch, limits: tuple[int, int], shares: Iterable[float]) -> list[int]:
@@ -174,13 +173,12 @@ def _edges(sketch: Sketch, first: tuple[int, int], second: tuple[int, int]) -> N
     """The curve of the straightest arm, and the names of all five."""
     bent = [sketch.move(ROTATE, Z, 0, second[0], frame, start=0.0)  # 0, or the lowest if above
             for frame in _shoulders(sketch, first, _WIDE)]
-    sketch.line("straightest", (at(frame, (L2, 0, 0))[0] for frame in bent), "z")
+    sketch.line("straightest", (at(frame, (L2, 0, 0))[0] for frame in bent), "first")
     (beside,) = at(bent[round(0.6 * len(bent))], (L2 + 0.1, 0, 0))
-    sketch.label("straightest", beside, "z")
+    sketch.label("straightest", beside, "first")
     for k, word in enumerate(("from", "to")):
         elbow, other = _shoulders(sketch, first, (k, 0.25 + 0.5 * k))
-        for text, frame, share, beyond, style in (
-                (f"θ₁ {word}", elbow, 0.7 - 0.2 * k, 0.12, "y"),
-                (f"θ₂ {word}", other, k, -0.1, "x")):
+        for text, frame, share, beyond in ((f"θ₁ {word}", elbow, 0.7 - 0.2 * k, 0.12),
+                                           (f"θ₂ {word}", other, k, -0.1)):
             place = at(_share(sketch, frame, second, share), (L2 + beyond, 0, 0))[0]
-            sketch.label(text, place, style)
+            sketch.label(text, place, "angle")
