@@ -1,44 +1,13 @@
 // The picture, drawn from the scene alone: the frames of frames.js, projected as in
 // kinlab/drawing/figure.py, become paths, and nearer groups are put over farther ones.
 
+import { lens } from "./camera.js";
 import { frames, inRoom } from "./frames.js";
 import { hull } from "./solids.js";
+import { dot, minus } from "./vectors.js";
 
-/** @import { Camera, Frame, Item, Paint, Scene, Shape, Triple } from "./types.js" */
+/** @import { Camera, Frame, Item, Lens, Paint, Scene, Shape, Triple } from "./types.js" */
 /** @typedef {Required<Item> & { group: SVGGElement, node: SVGElement }} Drawn */
-
-/**
- * Cosine and sine of a camera's azimuth, then of its elevation.
- * @type {(camera: Camera) => number[]}
- */
-const turned = ({ azimuth, elevation }) => [azimuth, elevation]
-  .map((angle) => angle * Math.PI / 180).flatMap((angle) => [Math.cos(angle), Math.sin(angle)]);
-
-/**
- * The picture's right and up as directions of the room.
- * @param {Camera} camera
- */
-export function screenAxes(camera) {
-  const [ca, sa, ce, se] = turned(camera);
-  return [[-sa, ca, 0], [-se * ca, -se * sa, ce]];
-}
-
-/**
- * A function that takes points of the room to [right, down, nearness] on the picture.
- * @param {Pick<Scene, "place" | "scale" | "center">} scene
- * @param {Camera} camera
- * @returns {(point: Triple) => Triple}
- */
-export function projector(scene, camera) {
-  const [ca, sa, ce, se] = turned(camera);
-  const [[right, down], scale] = [scene.place, scene.scale * camera.zoom];
-  return (p) => {
-    const [x, y, z] = p.map((v, k) => v - scene.center[k]);
-    const forward = ca * x + sa * y;
-    return [right + scale * (ca * y - sa * x),
-            down - scale * (ce * z - se * forward), ce * forward + se * z];
-  };
-}
 
 /** @type {(point: number[]) => string} */
 const corner = ([x, y]) => `${x.toFixed(2)} ${y.toFixed(2)}`;
@@ -124,6 +93,12 @@ export class Picture {
   /** @type {Camera} */
   camera = PAPER;
 
+  /**
+   * What the camera made of the room last.
+   * @type {Lens | undefined}
+   */
+  lens;
+
   order = "";
 
   /** @param {Scene} scene */
@@ -163,15 +138,17 @@ export class Picture {
   draw(q) {
     const { motions, focus, tip, center } = this.scene, at = this.at = frames(motions, q);
     const middle = focus == null ? center : at[focus][3];
-    const project = projector({ ...this.scene, center: middle }, this.camera);
-    const onPaper = projector({ ...this.scene, center: middle }, PAPER);
+    const framed = { ...this.scene, fit: null }, { size } = framed;
+    const looking = this.lens = lens(framed, this.camera, size, [], [], middle);
+    const onPaper = lens(framed, PAPER, size, [], [], middle);
     /** @type {Map<number, number[]>} */
     const depths = new Map();
     this.follow(at[tip][3]);
     for (const item of this.items) {
       const room = item.shape === "trace" ? this.path
         : item.points.map(([k, ...local]) => inRoom(at[k], local));
-      const points = room.map(item.paper ? onPaper : project);
+      const { see, near: ahead } = item.paper ? onPaper : looking;
+      const points = room.map((p) => [...see(p).slice(0, 2), dot(minus(p, middle), ahead)]);
       this.set(item, points);
       if (item.body >= 0) {
         const near = item.lift + points.reduce((sum, p) => sum + p[2], 0) / points.length;

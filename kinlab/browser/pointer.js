@@ -1,7 +1,6 @@
 // Pointers and keys on the picture: drag or arrows orbit; wheel, pinch or +/- zoom; double click
 // resets; a target can be taken hold of.
 
-import { projector, screenAxes } from "./picture.js";
 import { clip } from "./steps.js";
 
 /** @import { Picture } from "./picture.js" */
@@ -101,11 +100,11 @@ export function grasp(picture, chase) {
   const at = (/** @type {MouseEvent} */ event) =>
     new DOMPoint(event.clientX, event.clientY).matrixTransform(svg.getScreenCTM()?.inverse());
   return (event) => {
-    const place = picture.at[scene.target.frame][3];
-    const [x, y] = projector(scene, picture.camera)(place);
+    const place = picture.at[scene.target.frame][3], { lens } = picture;
+    if (!lens) return null;
+    const { right, up } = lens, [x, y, size] = lens.see(place), scale = lens.scale * size;
     const hand = at(event), far = Math.hypot(hand.x - x, hand.y - y) > GRASP;
     if (far && Object.keys(scene.presets).length > 1) return null;
-    const [right, up] = screenAxes(picture.camera), scale = scene.scale * picture.camera.zoom;
     const offset = far ? [0, 0] : [hand.x - x, hand.y - y];
     const take = (/** @type {MouseEvent} */ e) => {
       const now = at(e), across = now.x - offset[0] - x, above = y + offset[1] - now.y;

@@ -16,8 +16,9 @@ from matplotlib.path import Path
 from matplotlib.patheffects import withStroke
 
 from ..arms.motions import Numbers
+from .camera import Camera
 from .paints import INK, PAINTS, Paint
-from .scene import ARROW, FACE, HULL, TEXT, Item, Scene, camera
+from .scene import ARROW, FACE, HULL, TEXT, Item, Scene
 from .solids import hull
 
 _Placed = tuple[Item, np.ndarray]
@@ -49,7 +50,7 @@ def figure(scene: Scene, q: Numbers, preset: str = "3-D",
     fig = Figure(figsize=(width / 72, height / 72), dpi=72)
     ax = fig.add_axes((0, 0, 1, 1), xlim=(0, width), ylim=(height, 0))
     ax.axis("off")
-    frames, view = scene.frames(q), camera(*scene.presets[preset])
+    frames, view = scene.frames(q), Camera(*scene.presets[preset]).axes
     placed = [(item, project(scene, frames, view, item)) for item in scene.items]
     for depth, (item, points) in enumerate(_far_to_near(placed), start=1):
         _add(ax, item, points).set(gid=item.gid, zorder=depth,

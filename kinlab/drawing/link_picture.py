@@ -17,12 +17,13 @@ from ..arms.arm import CONVENTIONS, Arm, check_arm
 from ..arms.joints import joint_range
 from ..arms.motions import ROTATE, Motion, X, Z
 from .arm_scene import link_ends
+from .camera import Camera
 from .controls import Knob, PoseTable, decimals, subscript
 from .readings import Amount
-from .scene import SPATIAL, Scene, at, camera, origin_of
+from .scene import SPATIAL, Scene, at, origin_of
 from .sketch import Sketch
 
-_AXES, _VIEW = np.eye(3), camera(*SPATIAL["3-D"])[2]
+_AXES, _VIEW = np.eye(3), Camera(*SPATIAL["3-D"]).axes[2]
 _LETTERS = {"theta": "θ", "d": "d", "a": "a", "alpha": "α"}
 _HALF, _HEAD, _END = 8, 14, 16  # frames along a sweep: its middle, its arrow head, its end
 

@@ -333,10 +333,3 @@ def circle(count: int) -> np.ndarray:
     """Points round a unit circle in the xy plane; the last one lies on the first."""
     angles = np.linspace(0, 2 * np.pi, count)
     return np.stack([np.cos(angles), np.sin(angles), 0 * angles], axis=-1)
-
-
-def camera(azimuth: float, elevation: float) -> np.ndarray:
-    """Rows right, up and towards the viewer of an orthographic view, angles in degrees."""
-    a, e = np.radians([azimuth, elevation])
-    ca, sa, ce, se = np.cos(a), np.sin(a), np.cos(e), np.sin(e)
-    return np.array([[-sa, ca, 0], [-se * ca, -se * sa, ce], [ce * ca, ce * sa, se]])

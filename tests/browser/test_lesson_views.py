@@ -27,7 +27,7 @@ def test_a_lessons_view_moves_as_python_says(blank, make):
 
 
 def assert_as_drawn(seen, scene, q, preset):
-    frames, camera = scene.frames(q), figure.camera(*scene.presets[preset])
+    frames, camera = scene.frames(q), figure.Camera(*scene.presets[preset]).axes
     for item in scene.items:
         points = figure.project(scene, frames, camera, item)
         if item.shape == "text":

@@ -167,7 +167,7 @@ def test_faces_turned_away_are_not_painted_but_keep_their_paint(robot, preset):
 def test_a_solid_is_the_hull_of_its_points(arm_and_q, preset):
     arm, q = arm_and_q
     scene = arm_scene(arm)
-    frames, view = scene.frames(q), figure.camera(*SPATIAL[preset])
+    frames, view = scene.frames(q), figure.Camera(*SPATIAL[preset]).axes
     for item in scene.items:
         if item.shape == "hull":
             points = figure.project(scene, frames, view, item)
@@ -192,7 +192,7 @@ def test_an_arrow_has_a_head_that_shrinks_with_it(tip, head):
 
 def test_the_camera_is_a_right_handed_frame():
     for preset in SPATIAL.values():
-        R = figure.camera(*preset)
+        R = figure.Camera(*preset).axes
         close(R @ R.T, np.eye(3), atol=1e-12)
         close(np.cross(R[0], R[1]), R[2], atol=1e-12)
 
