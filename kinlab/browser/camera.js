@@ -17,7 +17,7 @@ const NEAREST = 0.2;                                // of it: what is nearer sta
 const EDGE = 10;                                    // px: half a name of an axis
 const MARGINS = 0.075, NARROW = 24, WIDE = 50;      // of a side, and px: room for names
 const LEAST_BOX = 0.5, LEAST_BALL = 1.5;            // in radii: the least box, and the least ball
-const SOFT = 0.12;                                  // radii over which one bound relieves another
+const SOFT = 0.2;                                   // radii over which one bound relieves another
 
 /**
  * The picture's right, its up and the way to the viewer, as directions of the room.

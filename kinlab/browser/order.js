@@ -13,7 +13,7 @@ import { dot, minus, norm, partway, plus, times } from "./vectors.js";
  */
 /** @typedef {{ a: Triple, b: Triple, r: number, depth: number, box: number[] }} Seen */
 
-const RIM = 1.5;                                    // px: half a stroke and a little air
+const STROKE = 1.5;                                 // px: half a stroke and a little air
 const LEVEL = 1e-9;                                 // of a length: side by side, none in front
 const TUCKED = 0.8, ENDS = 0.01;                    // radii: a line that begins inside a solid
 const SAME = 1e-6;                                  // px: depths that differ less are the same
@@ -60,7 +60,7 @@ function sorted(depths, over, below) {
  * @type {(body: Body, lens: Lens) => Seen}
  */
 function seenBody({ p, q, r }, { see, near, scale }) {
-  const [x, y, f] = see(p), [u, v, g] = see(q), wide = r * scale * Math.max(f, g) + RIM;
+  const [x, y, f] = see(p), [u, v, g] = see(q), wide = r * scale * Math.max(f, g) + STROKE;
   return { a: [x, y, 0], b: [u, v, 0], r: wide,
            depth: Math.floor(dot(partway(p, q, 0.5), near) * scale / SAME + 0.5),
            box: [Math.min(x, u) - wide, Math.max(x, u) + wide,

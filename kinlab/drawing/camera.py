@@ -20,7 +20,7 @@ _NEAREST = 0.2                  # of it: what is nearer stays before the viewer
 _MARGIN = 10.0                  # px: half a name of an axis
 _ROOM, _LEAST, _MOST = 0.075, 24.0, 50.0    # of a side, and px: room for names
 _BOX, _BALL = 0.5, 1.5          # in radii: the least box, and the least ball
-_SOFT = 0.12                    # radii over which one bound relieves another
+_SOFT = 0.2                     # radii over which one bound relieves another
 
 
 @dataclass(frozen=True)
