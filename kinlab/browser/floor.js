@@ -126,18 +126,18 @@ function numbersOn(floor, lens, size, axis, fade, below) {
     spotOf(lens, axis === "x" ? [i * step, 0, height] : [0, i * step, height]);
   const [from, to] = [at(0), at(1)], gap = Math.hypot(to[0] - from[0], to[1] - from[1]);
   if (gap < SHORTEST || !all.length) return [];
-  const way = to.map((e, k) => (e - from[k]) / gap), side = sideOf(way, below);
+  const way = to.map((e, k) => (e - from[k]) / gap), side = viewersSide(way, below);
   const every = spacing(floor, way, gap, all[0]);
   return all.filter((i) => i % every === 0).flatMap((i) => {
     const point = at(i), opacity = strength(fade, point);
-    const words = beside(marked(i * step, step), point, side);
+    const words = besideRuler(marked(i * step, step), point, side);
     const shown = opacity >= PALEST && fits(words, size);
     return shown ? [{ ...words, axis, opacity }] : [];
   });
 }
 
 /** @type {(text: string, point: Px, side: number[]) => Words} */
-function beside(text, point, [x, y]) {
+function besideRuler(text, point, [x, y]) {
   const [w, h] = textSize(text), far = (Math.abs(x) * w + Math.abs(y) * h) / 2 + NUMBER_GAP;
   return { text, place: [point[0] + far * x, point[1] + far * y], w, h };
 }
@@ -147,7 +147,7 @@ function beside(text, point, [x, y]) {
  * of one that goes straight up.
  * @type {(way: number[], below: boolean) => number[]}
  */
-function sideOf([x, y], below) {
+function viewersSide([x, y], below) {
   const down = below ? -x : x, turned = Math.abs(x) > 1e-6 ? down < 0 : y < 0;
   return turned ? [y, -x] : [-y, x];
 }
