@@ -1,81 +1,23 @@
-// The picture, drawn from the scene alone: the frames of frames.js, projected as in
-// kinlab/drawing/figure.py, become paths, and nearer groups are put over farther ones.
+// The picture, drawn from the scene alone, as kinlab/drawing/figure.py draws it: the frames of
+// frames.js, seen through the lens of camera.js. One unit of the SVG is one pixel of the page.
 
 import { lens } from "./camera.js";
-import { frames, inRoom } from "./frames.js";
-import { hull } from "./solids.js";
-import { dot, minus } from "./vectors.js";
+import { FloorPart } from "./floor_part.js";
+import { frames } from "./frames.js";
+import { place } from "./labels.js";
+import { backToFront } from "./order.js";
+import { Axis, Solid, Stroke, Words, whole } from "./parts.js";
+import { arrange, drawn } from "./svg.js";
+import { norm, minus } from "./vectors.js";
 
-/** @import { Camera, Frame, Item, Lens, Paint, Scene, Shape, Triple } from "./types.js" */
-/** @typedef {Required<Item> & { group: SVGGElement, node: SVGElement }} Drawn */
+/** @import { Camera, Frame, Item, Lens, Scene, Triple } from "./types.js" */
+/** @import { Whole } from "./parts.js" */
+/** @typedef {{ joints?: Set<number>, frames?: Set<string>, links?: Set<number> }} Pointed */
 
-/** @type {(point: number[]) => string} */
-const corner = ([x, y]) => `${x.toFixed(2)} ${y.toFixed(2)}`;
-
-/** @type {(points: number[][]) => string} */
-const polyline = (points) => `M ${points.map(corner).join(" L ")}`;
-
-/** @param {number[][]} points */
-function face(points) {
-  const area = points.reduce((sum, [x, y], k) => {
-    const [u, v] = points[(k + 1) % points.length];
-    return sum + x * v - u * y;
-  }, 0);
-  return area < 0 ? `${polyline(points)} Z` : "";   // y points down
-}
-
-/** @param {number[][]} points */
-function arrow([tail, tip]) {
-  const [dx, dy] = [tip[0] - tail[0], tip[1] - tail[1]], length = Math.hypot(dx, dy);
-  const [ux, uy] = length > 1e-9 ? [dx / length, dy / length] : [0, 0];
-  const head = Math.min(9, 0.5 * length), side = 0.36 * head;
-  const neck = [tip[0] - head * ux, tip[1] - head * uy];
-  const wing = (/** @type {1 | -1} */ s) => [neck[0] - s * side * uy, neck[1] + s * side * ux];
-  return polyline([tail, neck, wing(1), tip, wing(-1), neck, tail]);
-}
-
-/**
- * How the points of a shape become a path.
- * @type {Record<string, (points: number[][]) => string>}
- */
-export const PATHS = { line: polyline, trace: polyline, face, arrow,
-                       hull: (points) => `${polyline(hull(points))} Z` };
-
-const TRACE_LENGTH = 4000;
+const TRACE_LENGTH = 4000, TRACE_STEP = 0.2;        // points; px
+const LABEL_STEPS = 3;                              // towards its place, in each picture
+const SOLID_SHAPES = ["tube", "ball", "box"], WORD_SHAPES = ["text", "name"];
 const PAPER = { azimuth: -90, elevation: 90, zoom: 1 };   // x to the right, y up
-
-const SVG = "http://www.w3.org/2000/svg";
-
-/**
- * An element of an SVG picture.
- * @template {keyof SVGElementTagNameMap} Tag
- * @param {Tag} tag
- * @param {Record<string, unknown>} attributes
- * @param {(Node | string)[]} children
- */
-function drawn(tag, attributes, ...children) {
-  const node = document.createElementNS(SVG, tag);
-  for (const [name, value] of Object.entries(attributes)) node.setAttribute(name, String(value));
-  node.append(...children);
-  return node;
-}
-
-const OPEN = ["line", "trace"];                     // shapes that are never filled
-
-/**
- * An item with its group, painted and still without its place.
- * @param {Item} item
- * @param {Paint} paint
- * @returns {Drawn}
- */
-function shown(item, paint) {
-  const { gid, shape, style, text = "" } = item;
-  const node = shape === "text" ? drawn("text", { fill: paint.words ?? paint.fill ?? "" }, text)
-    : drawn("path", { ...paint, fill: OPEN.includes(shape) ? "none" : paint.fill ?? "none" });
-  const group = drawn("g", { id: gid, class: `kl-${style} kl-shape-${shape}` }, node);
-  return { body: -1, layer: "", text, lift: 0, paper: false, size: [], part: "", frame: "",
-           joint: null, link: null, ...item, group, node };
-}
 
 export class Picture {
   /**
@@ -93,22 +35,43 @@ export class Picture {
   /** @type {Camera} */
   camera = PAPER;
 
-  /**
-   * What the camera made of the room last.
-   * @type {Lens | undefined}
-   */
-  lens;
+  /** @type {Lens | null} */
+  lens = null;
 
-  order = "";
+  restless = false;                                 // whether labels are still on their way
 
   /** @param {Scene} scene */
   constructor(scene) {
     this.scene = scene;
-    this.items = scene.items.map((item) => shown(item, scene.paints[item.style]));
-    this.bodies = this.items.filter((item) => item.body >= 0);
-    this.svg = drawn("svg", { viewBox: `0 0 ${scene.size.join(" ")}`, role: "img" },
-                     ...this.items.map((item) => item.group));
+    this.size = [...scene.size];
+    const items = scene.items.map(whole), { paints } = scene;
+    /** @type {(shapes: string[]) => Whole[]} */
+    const of = (shapes) => items.filter(({ shape }) => shapes.includes(shape));
+    this.solids = of(SOLID_SHAPES).map((i) => new Solid(i, paints[i.style], paints.amber ?? {}));
+    this.axes = of(["axis"]).map((item) => new Axis(item));
+    this.words = of(WORD_SHAPES).map((item) => new Words(item, paints[item.style]));
+    this.strokes = items.filter(({ shape }) => ![...SOLID_SHAPES, ...WORD_SHAPES, "axis"]
+      .includes(shape)).map((item) => new Stroke(item, paints[item.style]));
+    this.floor = scene.floor ? new FloorPart(scene.floor) : null;
+    this.parts = [...this.solids, ...this.axes, ...this.strokes, ...this.words];
+    this.layers = this.layOut();
+    this.svg = drawn("svg", { role: "img" }, ...Object.values(this.layers));
+    this.home = this.extents(frames(scene.motions, scene.home));
     this.reset(scene.preset);
+    this.resize(scene.size[0], scene.size[1]);
+  }
+
+  /** Groups of the picture from the farthest to the nearest. */
+  layOut() {
+    const { floor, axes, strokes, words } = this, names = ["sunk", "floor", "under", "solids",
+      "hints", "over", "words"];
+    const layers = Object.fromEntries(names.map((name) =>
+      [name, drawn("g", { class: `kl-layer-${name}` })]));
+    layers.floor.append(...floor ? [floor.group] : []);
+    layers.under.append(...strokes.filter(({ item }) => item.body < 0).map((part) => part.group));
+    layers.hints.append(...axes.map(({ hint }) => hint));
+    layers.words.append(...words.map(({ group }) => group), ...floor ? [floor.words] : []);
+    return layers;
   }
 
   /**
@@ -117,7 +80,18 @@ export class Picture {
    */
   reset(preset) {
     const [azimuth, elevation] = this.scene.presets[preset];
-    this.camera = { azimuth, elevation, zoom: 1 };
+    this.camera = { azimuth, elevation, zoom: 1, perspective: this.camera.perspective };
+  }
+
+  /**
+   * Take another size (px).
+   * @param {number} width
+   * @param {number} height
+   */
+  resize(width, height) {
+    this.size = [width, height];
+    this.svg.setAttribute("viewBox", `0 0 ${width} ${height}`);
+    for (const words of this.words) words.state = null;
   }
 
   /**
@@ -125,10 +99,52 @@ export class Picture {
    * @param {boolean} visible
    */
   show(layer, visible) {
-    if (layer === "trace") this.path = [];
-    for (const { group } of this.items.filter((item) => item.layer === layer)) {
-      group.style.display = visible ? "" : "none";
+    if (layer === "trace") this.clear();
+    if (layer === "floor") this.floor?.show(visible);
+    for (const part of this.parts) if (part.item.layer === layer) part.show(visible);
+  }
+
+  /**
+   * One frame's axes and their names.
+   * @param {string} name
+   * @param {boolean} visible
+   */
+  showFrame(name, visible) {
+    for (const part of [...this.axes, ...this.words]) {
+      if (part.item.frame === name) part.show(visible);
     }
+  }
+
+  /** Begin the trace anew. */
+  clear() { this.path = []; }
+
+  /**
+   * Light these joints, frames and links and let all the rest step back; null lights everything.
+   * @param {Pointed | null} pointed
+   */
+  light(pointed) {
+    for (const solid of this.solids) {
+      const meant = !pointed || isMeant(solid.item, pointed);
+      solid.light(meant, Boolean(pointed) && meant && solid.item.style === "steel");
+    }
+    for (const part of [...this.axes, ...this.strokes, ...this.words]) {
+      part.light(!pointed || isMeant(part.item, pointed));
+    }
+  }
+
+  /**
+   * Balls that have to be seen when the frames are these: the ends of solids, and feet.
+   * @param {Frame[]} at
+   * @returns {[Triple, number][]}
+   */
+  extents(at) {
+    const { floor } = this.scene;
+    const bodies = this.solids.flatMap((solid) => solid.balls(at));
+    const feet = (floor?.drops ?? []).flatMap((k) => {
+      const [x, y, z] = at[k][3];
+      return [[[x, y, z], 0], [[x, y, floor?.height ?? 0], 0]];
+    });
+    return /** @type {[Triple, number][]} */ ([...bodies, ...feet]);
   }
 
   /**
@@ -136,60 +152,106 @@ export class Picture {
    * @param {number[]} q
    */
   draw(q) {
-    const { motions, focus, tip, center } = this.scene, at = this.at = frames(motions, q);
-    const middle = focus == null ? center : at[focus][3];
-    const framed = { ...this.scene, fit: null }, { size } = framed;
-    const looking = this.lens = lens(framed, this.camera, size, [], [], middle);
-    const onPaper = lens(framed, PAPER, size, [], [], middle);
-    /** @type {Map<number, number[]>} */
-    const depths = new Map();
-    this.follow(at[tip][3]);
-    for (const item of this.items) {
-      const room = item.shape === "trace" ? this.path
-        : item.points.map(([k, ...local]) => inRoom(at[k], local));
-      const { see, near: ahead } = item.paper ? onPaper : looking;
-      const points = room.map((p) => [...see(p).slice(0, 2), dot(minus(p, middle), ahead)]);
-      this.set(item, points);
-      if (item.body >= 0) {
-        const near = item.lift + points.reduce((sum, p) => sum + p[2], 0) / points.length;
-        depths.set(item.body, [...(depths.get(item.body) ?? []), near]);
-      }
+    const { scene, size } = this, { focus, center } = scene;
+    const at = this.at = frames(scene.motions, q), middle = focus == null ? center : at[focus][3];
+    const seen = this.lens = lens(scene, this.camera, size, this.extents(at), this.home, middle);
+    const paper = lens({ ...scene, fit: null }, PAPER, size, [], [], middle);
+    this.follow(at[scene.tip][3]);
+    for (const stroke of this.strokes) {
+      const room = stroke.item.shape === "trace" ? this.path : stroke.places(at);
+      stroke.draw(stroke.item.paper ? paper : seen, room);
     }
-    this.stack(depths);
+    const { shading, sunk } = this.drawBodies(seen);
+    this.floor?.draw(seen, at, shading, sunk, size);
+    this.stackStrokes();
+    this.placeWords(LABEL_STEPS);
     return at;
   }
 
   /**
-   * @param {Drawn} item
-   * @param {number[][]} points
+   * Draw solids, axes and drop lines and lay the nearer ones over the farther ones.
+   * @param {Lens} seen
    */
-  set({ shape, node }, points) {
-    if (shape !== "text") return node.setAttribute("d", PATHS[shape](points));
-    const [x, y] = points[0];
-    node.setAttribute("x", x.toFixed(2));
-    node.setAttribute("y", (y + 4).toFixed(2));    // half the height of the letters
+  drawBodies(seen) {
+    const { at, size, scene: { floor }, layers } = this;
+    const pieces = this.solids.filter(({ on }) => on)
+      .flatMap((solid) => solid.locate(at, floor?.height));
+    for (const piece of pieces) piece.draw(seen);
+    const axes = this.axes.filter(({ on }) => on)
+      .map((axis) => ({ body: axis.locate(at, seen, size), group: axis.group, axis }));
+    for (const { axis } of axes) axis.draw(seen);
+    const drops = this.floor?.dropped(at) ?? [];
+    const all = [...pieces, ...axes, ...drops];
+    const ordered = backToFront(all.map(({ body }) => body), seen).map((k) => all[k]);
+    const sunk = ordered.filter(({ body: { p, q } }) => this.isBeyondFloor(p, q, seen));
+    arrange(layers.sunk, sunk.map(({ group }) => group));
+    arrange(layers.solids, ordered.filter((one) => !sunk.includes(one)).map(({ group }) => group));
+    const shading = pieces.filter(({ shown }) => shown)
+      .map(({ solid, ends, size: wide }) => ({ shape: solid.item.shape, ends, size: wide }));
+    return { shading, sunk: sunk.length > 0 };
+  }
+
+  /**
+   * Whether a segment lies on the other side of the floor than the viewer.
+   * @param {Triple} p
+   * @param {Triple} q
+   * @param {Lens} seen
+   */
+  isBeyondFloor(p, q, seen) {
+    const { floor, fit } = this.scene;
+    if (!floor || !this.floor?.on) return false;
+    const above = (p[2] + q[2]) / 2 - floor.height, touch = 0.05 * (fit?.thick ?? 0);
+    return seen.near[2] >= 0 ? above < -touch : above > touch;
+  }
+
+  /** Lay nearer strokes over farther ones. */
+  stackStrokes() {
+    /** @type {Map<number, number[]>} */
+    const depths = new Map();
+    const over = this.strokes.filter(({ item }) => item.body >= 0);
+    for (const { item, near } of over) {
+      depths.set(item.body, [...(depths.get(item.body) ?? []), near]);
+    }
+    const mean = new Map([...depths].map(([body, near]) =>
+      [body, near.reduce((sum, d) => sum + d, 0) / near.length]));
+    const far = (/** @type {Stroke} */ { item }) => mean.get(item.body) ?? 0;
+    arrange(this.layers.over, over.sort((a, b) => far(a) - far(b)).map(({ group }) => group));
+  }
+
+  /**
+   * Bring the words so many steps nearer to where they want to stand.
+   * @param {number} steps
+   */
+  placeWords(steps) {
+    const { at, size, lens: seen, floor } = this;
+    if (!seen) return;
+    const shown = this.words.filter(({ on }) => on);
+    const labels = shown.map((words) => words.locate(at, seen, size));
+    const strokes = [...this.axes, ...this.strokes].filter(({ on }) => on)
+      .flatMap(({ stroke }) => stroke ?? []);
+    const solids = this.solids.flatMap((solid) => solid.bars(seen));
+    const { places, restless } = place(labels, strokes, solids, floor?.boxes ?? [], size, steps);
+    shown.forEach((words, k) => words.draw(places[k]));
+    floor?.giveWay(places.map((spot, k) => spot && [spot.x, spot.y, ...shown[k].box]));
+    this.restless = restless;
   }
 
   /** @param {Triple} tip */
   follow(tip) {
     const last = this.path.at(-1);
-    if (last && Math.hypot(...tip.map((v, k) => v - last[k])) * this.scene.scale < 0.2) return;
+    if (last && norm(minus(tip, last)) * (this.lens?.scale ?? 0) < TRACE_STEP) return;
     this.path.push(tip);
     if (this.path.length > TRACE_LENGTH) this.path.shift();
   }
+}
 
-  /**
-   * Lay nearer bodies over farther ones.
-   * @param {Map<number, number[]>} depths
-   */
-  stack(depths) {
-    const mean = new Map([...depths].map(([body, near]) =>
-      [body, near.reduce((sum, d) => sum + d, 0) / near.length]));
-    const far = (/** @type {Drawn} */ item) => mean.get(item.body) ?? 0;
-    const sorted = [...this.bodies].sort((a, b) => far(a) - far(b));
-    const order = sorted.map((item) => item.body).join();
-    if (order === this.order) return;
-    this.order = order;
-    this.svg.append(...sorted.map((item) => item.group));
-  }
+/**
+ * Whether an item is a picture of something that is pointed at.
+ * @param {Whole} item
+ * @param {Pointed} pointed
+ */
+function isMeant({ joint, frame, link, part }, { joints, frames: named, links }) {
+  if (joint != null && joints?.has(joint)) return true;
+  if (frame) return named?.has(frame) ?? false;
+  return part !== "axis" && joint == null && link != null && (links?.has(link) ?? false);
 }

@@ -13,7 +13,7 @@ from ..arms.arm import Arm
 from ..arms.joints import joint_range
 from ..arms.link import REVOLUTE
 
-LAYERS = ("frames", "labels", "axes", "trace", "ghost")
+LAYERS = ("frames", "labels", "axes", "names", "floor", "trace", "ghost")
 
 
 @dataclass(frozen=True)
@@ -151,17 +151,22 @@ def tour(knobs: Sequence[Knob]) -> np.ndarray:
 
 _SWITCHES = {"frames": ("Frames", "Frames of the links"), "labels": ("Labels", "Names of the axes"),
              "axes": ("Joint axes", "Axes of the joints"), "trace": ("Trace", "Path of the tool"),
+             "names": ("Names", "What the joints are called"),
+             "floor": ("Floor", "Grid, shadow, and the lines dropped from tool and target"),
              "ghost": ("Ghost", "The arm where it began, for comparison")}
 
 
 def arm_switches(show: Any) -> tuple[Switch, ...]:
-    """Switches of an arm's layers, those in `show` on; ValueError for an unknown layer."""
+    """Switches of an arm's layers, the floor and those in `show` on.
+
+    ValueError for an unknown layer.
+    """
     try:
         names = (show,) if isinstance(show, str) else tuple(show)
     except TypeError:
         names = (show,)
     on = [inputs.choice("show", name, LAYERS) for name in names]
-    return tuple(Switch(layer, *_SWITCHES[layer], layer in on) for layer in LAYERS)
+    return tuple(Switch(layer, *_SWITCHES[layer], layer in (*on, "floor")) for layer in LAYERS)
 
 
 _COLUMNS = (("n", "normal vector"), ("s", "sliding vector"), ("a", "approach vector"),

@@ -60,6 +60,7 @@ class LinkSketch(Sketch):
         self.lay_arm(arm, q, keep=lambda item: not item.layer)
         self.arm, self.link, self.over = arm, int(link), self.radius
         self.bare()
+        self.fit = None  # one link is looked at, not the whole arm
         self.motions = arm.chain[self.link]
         self.parameters = [parameter for _, _, parameter in CONVENTIONS[arm.convention]]
         self.radius = _closeness(arm, self.motions, self.radius)

@@ -306,7 +306,8 @@ class Scene:
         return {key: getattr(self, key) for key in plain} | {
             "motions": [motion.data() for motion in self.motions],
             "items": [item.data() for item in self.items],
-            "paints": {item.style: PAINTS[item.style] for item in self.items},
+            "paints": {style: PAINTS[style]
+                       for style in ("amber", *(item.style for item in self.items))},
             "readings": [reading.data() for reading in self.readings],
             "place": self.heart, "preset": self.seen_from,
             "knobs": [knob.data() for knob in self.knobs],

@@ -33,6 +33,8 @@ from .scene import (
     SPATIAL,
     TEXT,
     TRACE,
+    Fit,
+    Floor,
     Item,
     Scene,
     Step,
@@ -80,6 +82,8 @@ class Sketch:
         self.poses: list[list[float]] = []
         self.target: Target | None = None
         self.decimals: int | None = None
+        self.floor: Floor | None = None
+        self.fit: Fit | None = None  # to be framed as arms are
         self.over = 0.0  # how much nearer than its place everything new lies (length unit)
         self._bodies = 0
         if grid:
@@ -103,6 +107,7 @@ class Sketch:
         self.center, self.radius, self.tip = scene.center, scene.radius, scene.tip
         self.knobs, self.switches, self.start = list(scene.knobs), list(scene.switches), scene.begin
         self.pose, self.steps = scene.pose, list(scene.motions)
+        self.floor, self.fit = scene.floor, scene.fit
         self.poses = [list(pose) for pose in scene.poses]
         self.lay(filter(keep, scene.items))
 
@@ -223,7 +228,8 @@ class Sketch:
             knobs=tuple(self.knobs), start=tuple(self.start) or None,
             switches=tuple(self.switches), pose=self.pose, target=self.target,
             poses=tuple(tuple(map(float, pose)) for pose in self.poses),
-            readings=tuple(self.readings), decimals=self.decimals)
+            readings=tuple(self.readings), decimals=self.decimals, floor=self.floor,
+            fit=self.fit)
 
     def _step(self, frame: int) -> Step:
         """The elementary motion that leads to a frame."""

@@ -1,6 +1,8 @@
 """An arm, the ring that it is to reach, and what is missing."""
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 
 from ..arms.arm import Arm
@@ -26,6 +28,8 @@ def target_scene(arm: Arm, q: Numbers) -> Scene:
     tip, goal = map(origin_of, (sketch.tip, ring))
     sketch.add("miss", LINE, "miss", (tip, goal), lift=4 * sketch.radius)
     _coordinates(sketch, axes, ("target", "p*", goal), ("tool", "p", tip))
+    if sketch.floor:
+        sketch.floor = replace(sketch.floor, drops=(sketch.tip, ring))
     sketch.target = Target(ring, sketch.tip, arm.n, tuple(range(arm.n, arm.n + axes)), arm.unit)
     return sketch.scene()
 

@@ -1,0 +1,397 @@
+// What a scene's items become in an SVG picture: solids, axes of frames, strokes and words.
+
+import { inRoom } from "./frames.js";
+import { textSize } from "./labels.js";
+import { dimmed, faces, hull, shades } from "./solids.js";
+import { drawn, polygon, polyline, put, px, reveal } from "./svg.js";
+import { clip } from "./steps.js";
+import { minus, norm, partway, plus, times, unit } from "./vectors.js";
+
+/** @import { Face, Frame, Item, Lens, Paint, Triple } from "./types.js" */
+/** @import { Label, LabelState, Placed } from "./labels.js" */
+/** @typedef {Required<Item>} Whole */
+
+const USUAL = { body: -1, layer: "", text: "", lift: 0, paper: false, size: [], part: "", frame: "",
+                joint: null, link: null };
+
+/** @type {(item: Item) => Whole} */
+export const whole = (item) => /** @type {Whole} */ ({ ...USUAL, ...item });
+
+/** The drawn group of an item, which says what it is a picture of. */
+class Part {
+  on = true;                                        // whether its layer is
+
+  lit = true;                                       // whether something else is pointed at
+
+  /** @param {Whole} item */
+  constructor(item) {
+    const { gid, style, shape, part, frame, joint, link } = item;
+    this.item = item;
+    this.group = drawn("g", { id: gid, class: `kl-${style} kl-shape-${shape}`, "data-frame": frame,
+      "data-part": part || shape, "data-joint": joint, "data-link": link });
+  }
+
+  /** @param {boolean} on */
+  show(on) {
+    this.on = on;
+    this.group.style.display = on ? "" : "none";
+  }
+
+  /** @param {boolean} lit */
+  light(lit) {
+    this.lit = lit;
+    this.group.classList.toggle("kl-dim", !lit);
+  }
+
+  /**
+   * Where its points are in the room.
+   * @param {Frame[]} at
+   */
+  places(at) { return this.item.points.map(([k, ...local]) => inRoom(at[k], local)); }
+}
+
+// ---- solids ----
+
+let lights = 0;                                     // each gradient of the page has its own name
+
+/** A body with a surface that light falls on; one that dips through the floor is drawn as two. */
+export class Solid extends Part {
+  pointed = false;
+
+  /** @type {Piece[]} */
+  pieces = [];
+
+  /**
+   * @param {Whole} item
+   * @param {Paint} paint
+   * @param {Paint} amber how it is painted while it is pointed at
+   */
+  constructor(item, paint, amber) {
+    super(item);
+    this.paint = paint;
+    const ramp = shades(paint.ramp ?? []), hub = paint.hub ? shades(paint.hub) : ramp;
+    this.ramps = { plain: [ramp, hub], pointed: [shades(amber.ramp ?? []), hub],
+                   dim: [ramp.map(dimmed), hub.map(dimmed)] };
+    this.pieces = [new Piece(this, this.group)];
+  }
+
+  /** @param {boolean} lit @param {boolean} pointed */
+  light(lit, pointed = false) {
+    super.light(lit);
+    this.pointed = pointed;
+  }
+
+  get ramp() { return this.ramps[!this.lit ? "dim" : this.pointed ? "pointed" : "plain"]; }
+
+  /**
+   * The pieces in which it is drawn at these frames.
+   * @param {Frame[]} at
+   * @param {number | undefined} height of the floor
+   */
+  locate(at, height) {
+    const ends = this.places(at), { shape, size, points } = this.item;
+    const halves = shape === "tube" ? cut(ends, size, height) : [{ ends, size }];
+    halves.forEach((half, k) => this.piece(k).locate(half.ends, half.size, at[points[0][0]]));
+    this.pieces.slice(halves.length).forEach((piece) => piece.hide());
+    return this.pieces.slice(0, halves.length);
+  }
+
+  /**
+   * Balls about its ends, which have to be seen.
+   * @param {Frame[]} at
+   * @returns {[Triple, number][]}
+   */
+  balls(at) {
+    const [p, q, u] = this.places(at), { shape, size: [r, s = r] } = this.item;
+    if (shape === "box") return [p, q].map((end) => [end, norm(minus(u, p))]);
+    return shape === "ball" ? [[p, r]] : [[p, r], [q, s]];
+  }
+
+  /**
+   * What words keep off: its segment and its radius on the picture.
+   * @param {Lens} lens
+   */
+  bars(lens) {
+    return this.pieces.filter(({ shown }) => shown).map(({ body: { p, q, r } }) => {
+      const [a, b] = [p, q].map(lens.see);
+      return { a: a.slice(0, 2), b: b.slice(0, 2), radius: r * lens.scale * Math.max(a[2], b[2]) };
+    });
+  }
+
+  /** @param {number} k */
+  piece(k) {
+    return this.pieces[k] ??= new Piece(this, /** @type {SVGGElement} */ (
+      this.pieces[0].group.cloneNode(false)));
+  }
+}
+
+const LEAST_CUT = 0.02;                             // of a tube: shorter ends are not cut off
+
+/**
+ * A tube, in two where it goes through the floor.
+ * @param {Triple[]} ends
+ * @param {number[]} radii
+ * @param {number | undefined} height
+ */
+function cut(ends, radii, height) {
+  const [a, b] = ends, share = height == null ? -1 : (height - a[2]) / (b[2] - a[2]);
+  if (!(share > LEAST_CUT && share < 1 - LEAST_CUT)) return [{ ends, size: radii }];
+  const middle = partway(a, b, share), radius = radii[0] + share * (radii[1] - radii[0]);
+  return [{ ends: [a, middle], size: [radii[0], radius] },
+          { ends: [middle, b], size: [radius, radii[1]] }];
+}
+
+/** What is drawn in one piece of a solid. */
+class Piece {
+  /** @type {Skin[]} */
+  skins = [];
+
+  /** @type {Triple[]} */
+  ends = [];
+
+  /** @type {number[]} */
+  size = [];
+
+  /** @type {Frame} */
+  frame = [];
+
+  shown = false;                                    // a rod may be wholly inside its sleeve
+
+  /** @param {Solid} solid @param {SVGGElement} group */
+  constructor(solid, group) {
+    this.solid = solid;
+    this.group = group;
+  }
+
+  /** @param {Triple[]} ends @param {number[]} size @param {Frame} frame */
+  locate(ends, size, frame) {
+    Object.assign(this, { ends, size, frame });
+    reveal(this.group, true);
+  }
+
+  /** As a body that others are drawn before or behind. */
+  get body() {
+    const [p, q = p, u = p, v = p] = this.ends, { shape, part } = this.solid.item;
+    const wide = Math.max(norm(minus(u, p)), norm(minus(v, p)));
+    return { p, q, r: shape === "box" ? 1.1 * wide : Math.max(...this.size),
+             plane: part === "base" ? { normal: unit(minus(q, p)), at: q } : null };
+  }
+
+  /** @param {Lens} lens */
+  draw(lens) {
+    const { item: { shape }, paint, ramp: [plain, hub] } = this.solid;
+    const all = faces(shape, lens, this.ends, this.size, paint, this.frame);
+    all.forEach((face, k) => this.skin(k).draw(face, face.role === "hub" ? hub : plain));
+    this.skins.slice(all.length).forEach((skin) => skin.hide());
+    this.shown = all.length > 0;
+  }
+
+  /** @param {number} k */
+  skin(k) {
+    if (!this.skins[k]) this.group.append((this.skins[k] = new Skin()).group);
+    return this.skins[k];
+  }
+
+  hide() {
+    this.shown = false;
+    reveal(this.group, false);
+  }
+}
+
+/** One face of a solid, with the gradient that it may need. */
+class Skin {
+  path = drawn("path");
+
+  group = drawn("g", {}, this.path);
+
+  /** @type {SVGGradientElement | undefined} */
+  gradient;
+
+  /** @param {Face} face @param {string[]} ramp */
+  draw({ role, points, level, gradient }, ramp) {
+    reveal(this.group, true);
+    put(this.path, "class", role === "mark" ? "kl-mark" : "kl-skin");
+    put(this.path, "d", role === "mark" ? polyline(points) : polygon(points));
+    if (gradient) put(this.path, "fill", this.across(gradient, ramp));
+    else put(this.path, "fill", level == null ? "none" : ramp[level]);
+  }
+
+  /** @param {NonNullable<Face["gradient"]>} light @param {string[]} ramp */
+  across(light, ramp) {
+    const radial = "center" in light, { levels } = light;
+    if (!this.gradient) {
+      this.gradient = drawn(radial ? "radialGradient" : "linearGradient",
+        { id: `kl-light-${lights += 1}`, gradientUnits: "userSpaceOnUse" },
+        ...levels.map((_, k) => drawn("stop", { offset: STOPS_AT[levels.length][k] })));
+      this.group.prepend(this.gradient);
+    }
+    const { gradient } = this;
+    const ends = radial ? { cx: light.center[0], cy: light.center[1], r: light.radius }
+      : { x1: light.from[0], y1: light.from[1], x2: light.to[0], y2: light.to[1] };
+    for (const [name, value] of Object.entries(ends)) put(gradient, name, px(value));
+    levels.forEach((level, k) => put(gradient.children[k], "stop-color", ramp[level]));
+    return `url(#${gradient.id})`;
+  }
+
+  hide() { reveal(this.group, false); }
+}
+
+/** @type {Record<number, number[]>} */
+const STOPS_AT = { 3: [0, 0.5, 1], 5: [0, 0.175, 0.5, 0.825, 1] };   // as in solids.js
+
+// ---- axes of frames ----
+
+const AXIS_SHARE = 0.075, AXIS_LEAST = 30, AXIS_MOST = 54;   // of the smaller side; px
+const PER_SHARED = 0.36;                            // longer for each frame at the same origin
+const ARROW_HEAD = 9;                               // px
+
+/**
+ * Shaft and head; the head shrinks as the arrow turns towards the viewer.
+ * @param {number[][]} ends
+ */
+export function arrowPoints([tail, tip]) {
+  const [dx, dy] = [tip[0] - tail[0], tip[1] - tail[1]], length = Math.hypot(dx, dy);
+  const [ux, uy] = length > 1e-9 ? [dx / length, dy / length] : [0, 0];
+  const head = Math.min(ARROW_HEAD, 0.5 * length), side = 0.36 * head;
+  const neck = [tip[0] - head * ux, tip[1] - head * uy];
+  const wing = (/** @type {1 | -1} */ s) => [neck[0] - s * side * uy, neck[1] + s * side * ux];
+  return [tail, neck, wing(1), tip, wing(-1), neck, tail];
+}
+
+/**
+ * Where an axis leaves the solids at its origin, and its tip: as long on every picture.
+ * @param {Triple[]} places its origin, and a unit vector from there
+ * @param {number[]} size of the item: where outside the arm it begins, and its rank there
+ * @param {Lens} lens
+ * @param {number[]} picture its width and height
+ */
+function axisEnds([origin, beyond], [inside, rank], lens, picture) {
+  const long = clip(AXIS_SHARE * Math.min(...picture), AXIS_LEAST, AXIS_MOST);
+  const way = minus(beyond, origin), length = inside + long * (1 + PER_SHARED * rank) / lens.scale;
+  return { origin, skin: plus(origin, times(way, 1.04 * inside)),
+           tip: plus(origin, times(way, length)) };
+}
+
+/** An axis of a frame: an arrow among the solids, and dashed once more over all of them. */
+export class Axis extends Part {
+  path = drawn("path");
+
+  /** @param {Whole} item */
+  constructor(item) {
+    super(item);
+    this.group.append(this.path);
+    this.hint = drawn("path", { class: `kl-hint kl-hint-${item.style}` });
+  }
+
+  /** @param {boolean} on */
+  show(on) {
+    super.show(on);
+    this.hint.style.display = this.group.style.display;
+  }
+
+  /** @param {boolean} lit */
+  light(lit) {
+    super.light(lit);
+    reveal(this.hint, lit);
+  }
+
+  /** @param {Frame[]} at @param {Lens} lens @param {number[]} picture */
+  locate(at, lens, picture) {
+    this.ends = axisEnds(this.places(at), this.item.size, lens, picture);
+    return { p: this.ends.skin, q: this.ends.tip, r: 0 };
+  }
+
+  /** @param {Lens} lens */
+  draw(lens) {
+    if (!this.ends) return;
+    const [origin, skin, tip] = [this.ends.origin, this.ends.skin, this.ends.tip].map(lens.see);
+    put(this.path, "d", polygon(arrowPoints([skin, tip])));
+    put(this.hint, "d", polygon(arrowPoints([origin, tip])));
+    this.stroke = { a: origin.slice(0, 2), b: tip.slice(0, 2) };
+  }
+}
+
+// ---- strokes and faces on the picture ----
+
+/** @param {number[][]} points */
+function facing(points) {
+  const area = points.reduce((sum, [x, y], k) => {
+    const [u, v] = points[(k + 1) % points.length];
+    return sum + x * v - u * y;
+  }, 0);
+  return area < 0 ? polygon(points) : "";           // y points down
+}
+
+/**
+ * How the points of a shape become a path.
+ * @type {Record<string, (points: number[][]) => string>}
+ */
+export const PATHS = { line: polyline, trace: polyline, face: facing,
+                       arrow: (points) => polygon(arrowPoints(points)),
+                       hull: (points) => polygon(hull(points)) };
+
+/** A line, an arrow, a face or an outline. */
+export class Stroke extends Part {
+  near = 0;                                         // how near it is in the middle
+
+  /** @type {{ a: number[], b: number[] } | null} */
+  stroke = null;
+
+  /** @param {Whole} item @param {Paint} paint */
+  constructor(item, paint) {
+    super(item);
+    const open = item.shape === "line" || item.shape === "trace";
+    this.path = drawn("path", { ...paint, fill: open ? "none" : paint.fill ?? "none" });
+    this.group.append(this.path);
+  }
+
+  /** @param {Lens} lens @param {Triple[]} room where its points are */
+  draw(lens, room) {
+    const points = room.map(lens.see);
+    put(this.path, "d", PATHS[this.item.shape](points));
+    this.near = this.item.lift + room.reduce((sum, p) => sum + depthOf(p, lens), 0) / room.length;
+    const [a, b] = this.item.shape === "arrow" ? points : [];
+    this.stroke = a ? { a: a.slice(0, 2), b: b.slice(0, 2) } : null;
+  }
+}
+
+/** @type {(point: Triple, lens: Lens) => number} */
+const depthOf = (point, { near }) => near.reduce((sum, e, k) => sum + e * point[k], 0);
+
+// ---- words ----
+
+/** Words at a point, or the name of an axis at its tip. */
+export class Words extends Part {
+  /** @type {LabelState | null} */
+  state = null;
+
+  /** @param {Whole} item @param {Paint} paint */
+  constructor(item, paint) {
+    super(item);
+    this.leader = drawn("path", { class: "kl-leader" });
+    this.node = drawn("text", { fill: paint.words ?? paint.fill ?? paint.stroke }, item.text);
+    this.group.append(this.leader, this.node);
+    this.box = textSize(item.text);
+  }
+
+  /** @param {Frame[]} at @param {Lens} lens @param {number[]} picture @returns {Label} */
+  locate(at, lens, picture) {
+    const places = this.places(at), axis = this.item.shape === "name";
+    const ends = axis ? axisEnds(places, this.item.size, lens, picture) : null;
+    const [anchor, from] = [ends?.tip ?? places[0], ends?.origin ?? null]
+      .map((point) => point && lens.see(point).slice(0, 2));
+    const [w, h] = this.box;
+    return { anchor: anchor ?? [0, 0], from, w, h, state: this.state };
+  }
+
+  /** @param {Placed | null} place */
+  draw(place) {
+    this.state = place?.state ?? null;
+    reveal(this.node, Boolean(place));
+    reveal(this.leader, Boolean(place?.leader));
+    if (!place) return;
+    put(this.node, "x", px(place.x));
+    put(this.node, "y", px(place.y));
+    if (place.leader) put(this.leader, "d", polyline(place.leader));
+  }
+}

@@ -1,0 +1,67 @@
+// Elements of an SVG picture, which are touched only where something has changed.
+
+const SVG = "http://www.w3.org/2000/svg";
+
+/** @type {WeakMap<Element, Map<string, string>>} */
+const attributesSet = new WeakMap();
+
+/**
+ * An element of an SVG picture.
+ * @template {keyof SVGElementTagNameMap} Tag
+ * @param {Tag} tag
+ * @param {Record<string, unknown>} attributes those that are absent or "" are left out
+ * @param {(Node | string)[]} children
+ */
+export function drawn(tag, attributes = {}, ...children) {
+  const node = document.createElementNS(SVG, tag);
+  for (const [name, value] of Object.entries(attributes)) {
+    if (value != null && value !== "") node.setAttribute(name, String(value));
+  }
+  node.append(...children);
+  return node;
+}
+
+/**
+ * Set an attribute, if it is another one: a picture has hundreds, and few change in a step.
+ * @param {Element} node
+ * @param {string} name
+ * @param {string} value
+ */
+export function put(node, name, value) {
+  let known = attributesSet.get(node);
+  if (!known) attributesSet.set(node, known = new Map());
+  if (known.get(name) === value) return;
+  known.set(name, value);
+  node.setAttribute(name, value);
+}
+
+/**
+ * Whether an element is to be seen.
+ * @param {Element} node
+ * @param {boolean} visible
+ */
+export const reveal = (node, visible) =>
+  put(node, "visibility", visible ? "inherit" : "hidden");
+
+/** @type {(value: number) => string} */
+export const px = (value) => value.toFixed(1);
+
+/** @type {(points: number[][]) => string} */
+export const polyline = (points) =>
+  points.length ? `M${points.map(([x, y]) => `${px(x)} ${px(y)}`).join("L")}` : "";
+
+/** @type {(points: number[][]) => string} */
+export const polygon = (points) => points.length ? `${polyline(points)}Z` : "";
+
+/**
+ * The order of some elements of one parent, with as few moves as lead there in one walk.
+ * @param {Element} parent
+ * @param {Element[]} ordered
+ */
+export function arrange(parent, ordered) {
+  let next = parent.firstElementChild;
+  for (const node of ordered) {
+    if (node === next) next = node.nextElementSibling;
+    else parent.insertBefore(node, next);
+  }
+}
