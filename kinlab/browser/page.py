@@ -4,9 +4,9 @@ The picture, its data, its controls and its script are those of the notebook.
 """
 from __future__ import annotations
 
+import base64
 import json
 import os
-from collections.abc import Iterable
 from pathlib import Path
 from typing import Any
 
@@ -16,15 +16,16 @@ from . import bundle
 _HERE = Path(__file__).parent
 
 
-def part(svg: str, data: dict, text: str, formula: str = "", *, address: bool = False) -> str:
+def part(still: bytes, data: dict, text: str, formula: str = "", *, address: bool = False) -> str:
     """One view as HTML, to stand in any page that has the script and the style.
 
-    `svg` is the still picture, `data` the scene and the values `q` to begin with, `text` says the
+    `still` is a picture as PNG for where no script runs, `data` the scene and the values `q` to begin with, `text` says the
     state in words, `formula` is MathML; with `address` the page's address holds the joint values.
     """
     plain = json.dumps(_short(data), ensure_ascii=False, separators=(",", ":"))
     plain = plain.replace("<", r"\u003c")  # no text in it can end the script
-    return _filled("view.html.j2", svg=svg, text=text, formula=formula, data=plain,
+    picture = base64.b64encode(still).decode()
+    return _filled("view.html.j2", still=picture, text=text, formula=formula, data=plain,
                    wide=data["scene"]["wide"], address=address)
 
 
@@ -45,13 +46,6 @@ def _short(data: Any) -> Any:
     if not isinstance(data, float):
         return data
     return int(data) if data.is_integer() else float(f"{data:.13g}")
-
-
-def hidden(svg: str, gids: Iterable[str]) -> str:
-    """The picture with some of its parts switched off, to be switched on by the script."""
-    for gid in gids:
-        svg = svg.replace(f'<g id="{gid}"', f'<g id="{gid}" style="display: none"')
-    return svg
 
 
 def save(path: Any, title: str, view: str) -> Path:

@@ -1,127 +1,138 @@
-"""matplotlib's hand: the scene at one pose, as a still figure with named parts."""
+"""matplotlib's hand: the still picture of a scene, with named parts."""
 from __future__ import annotations
 
 import io
-import re
-from collections.abc import Sequence
-from typing import Any
+from collections.abc import Iterable, Iterator, Sequence
 
 import matplotlib
 import numpy as np
 from matplotlib.artist import Artist
 from matplotlib.axes import Axes
+from matplotlib.backend_bases import RendererBase
+from matplotlib.colors import to_rgb
 from matplotlib.figure import Figure
+from matplotlib.image import AxesImage
 from matplotlib.patches import PathPatch
 from matplotlib.path import Path
 from matplotlib.patheffects import withStroke
+from matplotlib.text import Text
+from matplotlib.transforms import Affine2D
+from PIL import Image
 
 from ..arms.motions import Numbers
-from .camera import Camera
-from .paints import INK, PAINTS, Paint
-from .scene import ARROW, FACE, HULL, TEXT, Item, Scene
-from .solids import hull
+from .paints import Paint
+from .scene import Scene
+from .solids import Across, Round
+from .still import Drawn, Mark, still
 
-_Placed = tuple[Item, np.ndarray]
-
-
-def project(scene: Scene, frames: np.ndarray, view: np.ndarray, item: Item) -> np.ndarray:
-    """The item's points on the picture: x right, y down (px), and nearness (length unit)."""
-    index = [int(point[0]) for point in item.points]
-    local = np.array([(*point[1:], 1.0) for point in item.points])
-    room = np.einsum("kij,kj->ki", frames[index][:, :3], local)
-    right, up, near = (np.eye(3) if item.paper else view) @ (room - scene.middle(frames)).T
-    (x, y), s = scene.heart, scene.scale
-    return np.stack([x + s * right, y - s * up, near], axis=-1)
+_PIXELS = 32                                # of a gradient, from its first level to its last
+_OFFSETS = {3: (0.0, 0.5, 1.0), 5: (0.0, 0.175, 0.5, 0.825, 1.0)}  # of its levels, as in solids.py
+_COLOURS = 128                              # of a still picture: a lesson holds ten of them
 
 
-def outline(shape: str, points: np.ndarray) -> np.ndarray | None:
-    """Corners of the path that a shape makes on the picture; None where it cannot be seen."""
-    flat = points[:, :2]
-    if shape == FACE:
-        (x, y), (u, v) = flat.T, np.roll(flat, -1, axis=0).T
-        return flat if np.sum(x * v - u * y) < 0 else None  # y points down
-    return {HULL: hull, ARROW: _arrow}.get(shape, lambda p: p)(flat)
-
-
-def figure(scene: Scene, q: Numbers, preset: str = "3-D",
-           show: Sequence[str] = ("frames", "labels")) -> Figure:
+def figure(scene: Scene, q: Numbers, preset: str = "",
+           show: Sequence[str] = ("frames", "labels", "floor")) -> Figure:
     """The scene drawn at joint values `q`, every part carrying its `gid`."""
     width, height = scene.size
     fig = Figure(figsize=(width / 72, height / 72), dpi=72)
     ax = fig.add_axes((0, 0, 1, 1), xlim=(0, width), ylim=(height, 0))
     ax.axis("off")
-    frames, view = scene.frames(q), Camera(*scene.presets[preset]).axes
-    placed = [(item, project(scene, frames, view, item)) for item in scene.items]
-    for depth, (item, points) in enumerate(_far_to_near(placed), start=1):
-        _add(ax, item, points).set(gid=item.gid, zorder=depth,
-                                   visible=not item.layer or item.layer in show)
+    for depth, drawn in enumerate(still(scene, q, preset, show), start=1):
+        ax.add_artist(_Part(ax, drawn)).set_zorder(depth)
     return fig
 
 
-def svg(fig: Figure) -> str:
-    """The figure as SVG text in pixels, to be put into a page.
-
-    The XML prologue is left out, and so is matplotlib's style sheet: within a page it would
-    restyle the lines of every other picture there.
-    """
-    bare = dict.fromkeys(("Creator", "Date", "Format", "Type"))
-    text = _save(fig, "svg", metadata=bare, transparent=True).decode()
-    return re.sub(r"<defs>\s*<style.*?</defs>", "", text[text.index("<svg"):], flags=re.DOTALL)
-
-
 def png(fig: Figure) -> bytes:
-    """The figure as a PNG picture, with a rim around its letters as the browser draws it."""
-    for text in fig.axes[0].texts:
-        text.set_path_effects([withStroke(linewidth=3, foreground="white")])
-    return _save(fig, "png", dpi=108, facecolor="white")
+    """The figure as a PNG picture, in as many colours as it needs to look right."""
+    drawn, small = io.BytesIO(), io.BytesIO()
+    with matplotlib.rc_context({"path.simplify": False}):
+        fig.savefig(drawn, format="png", dpi=108, facecolor="white")
+    picture = Image.open(drawn).convert("RGB")
+    picture.quantize(_COLOURS, dither=Image.Dither.NONE).save(small, "PNG", optimize=True)
+    return small.getvalue()
 
 
-def _save(fig: Figure, kind: str, **options: Any) -> bytes:
-    buffer = io.BytesIO()
-    # Text stays text, in the page's own fonts; the salt keeps the file the same from run to run.
-    with matplotlib.rc_context({"svg.fonttype": "none", "svg.hashsalt": "kinlab",
-                                "path.simplify": False}):
-        fig.savefig(buffer, format=kind, **options)
-    return buffer.getvalue()
+class _Part(Artist):
+    """All marks of one thing, in one named group."""
+
+    def __init__(self, ax: Axes, drawn: Drawn) -> None:
+        super().__init__()
+        self.set_gid(drawn.gid)
+        self.pieces = [piece for mark in drawn.marks for piece in _artists(ax, mark)]
+
+    def draw(self, renderer: RendererBase) -> None:
+        renderer.open_group("part", gid=self.get_gid())
+        for piece in self.pieces:
+            piece.draw(renderer)
+        renderer.close_group("part")
 
 
-def _far_to_near(placed: list[_Placed]) -> list[_Placed]:
-    """What lies under everything first, then whole bodies from far to near."""
-    depths: dict[int, list[float]] = {}
-    for item, points in placed:
-        depths.setdefault(item.body, []).append(item.lift + float(points[:, 2].mean()))
-    depth = {body: -np.inf if body < 0 else np.mean(near) for body, near in depths.items()}
-    return sorted(placed, key=lambda pair: depth[pair[0].body])
+def _artists(ax: Axes, mark: Mark) -> Iterator[Artist]:
+    if mark.light is not None:
+        yield _shaded(ax, mark.lines[0], mark.light, mark.fill)
+    if mark.text:
+        yield _placed(ax, _text(mark))
+    elif any(len(line) for line in mark.lines):
+        yield _placed(ax, PathPatch(
+            _path(mark.lines, closed=mark.closed), fill="fill" in mark.paint, capstyle="round",
+            alpha=mark.opacity, **_patch(mark.paint)))
 
 
-def _add(ax: Axes, item: Item, points: np.ndarray) -> Artist:
-    if item.shape == TEXT:
-        x, y = points[0, :2]
-        paint = PAINTS[item.style]
-        return ax.text(x, y, item.text, color=paint.get("words", paint.get("fill", INK)),
-                       fontsize=11, ha="center", va="center", family="sans-serif")
-    corners, closed = outline(item.shape, points), item.shape in (FACE, HULL, ARROW)
-    # A face turned away is an empty path: every item has its part in the figure.
-    corners = np.empty((0, 2)) if corners is None else corners
-    path = np.vstack([corners, corners[:1]]) if closed else corners
-    return ax.add_patch(PathPatch(Path(path, closed=closed and len(path) > 0), fill=closed,
-                                  capstyle="round", clip_on=False, **_patch(PAINTS[item.style])))
+def _placed(ax: Axes, artist: Artist) -> Artist:
+    artist.set_figure(ax.get_figure())
+    artist.axes = ax
+    artist.set_transform(ax.transData)
+    return artist
+
+
+def _text(mark: Mark) -> Text:
+    ((x, y),) = mark.lines[0]
+    return Text(x, y, mark.text, color=mark.paint["fill"], fontsize=12.5, weight=mark.weight,
+                ha="center", va="center", family="sans-serif", alpha=mark.opacity,
+                path_effects=[withStroke(linewidth=3, foreground="white", alpha=0.85)])
+
+
+def _path(lines: Iterable[np.ndarray], *, closed: bool) -> Path:
+    return Path.make_compound_path(*(
+        Path(np.vstack([line, line[:1]]) if closed else line, closed=closed)
+        for line in lines if len(line)))
 
 
 def _patch(paint: Paint) -> dict:
     """A paint in matplotlib's words; its dashes are multiples of the line's width."""
-    width = paint["stroke-width"]
+    width = paint.get("stroke-width", 1.0)
     dash = [length / width for length in paint.get("stroke-dasharray", ())]
-    return {"edgecolor": paint["stroke"], "linewidth": width, "joinstyle": paint["stroke-linejoin"],
+    return {"edgecolor": paint["stroke"], "linewidth": width,
+            "joinstyle": paint.get("stroke-linejoin", "round"),
             "facecolor": paint.get("fill", "none"), "linestyle": (0, dash) if dash else "-"}
 
 
-def _arrow(points: np.ndarray) -> np.ndarray:
-    """Shaft and head; the head shrinks as the arrow turns towards the viewer."""
-    tail, tip = points
-    shaft = tip - tail
-    length = float(np.hypot(*shaft))
-    along = shaft / length if length > 1e-9 else np.zeros(2)
-    head = min(9.0, 0.5 * length)
-    neck, side = tip - head * along, 0.36 * head * np.array([-along[1], along[0]])
-    return np.array([tail, neck, neck + side, tip, neck - side, neck, tail])
+# ---- gradients ----
+
+def _shaded(ax: Axes, outline: np.ndarray, light: Across | Round,
+            colours: Sequence[str]) -> AxesImage:
+    """The gradient within an outline, as a picture of its own that is cut out."""
+    stops, where = np.array([to_rgb(colour) for colour in colours]), _OFFSETS[len(colours)]
+    image, extent, place = (_across if isinstance(light, Across) else _round)(light, outline)
+    shaded = AxesImage(ax, interpolation="bilinear", extent=extent, origin="lower")
+    shaded.set_data(np.stack([np.interp(image, where, stop) for stop in stops.T], axis=-1))
+    shaded.set_transform(place + ax.transData)
+    shaded.set_clip_path(Path(np.vstack([outline, outline[:1]]), closed=True), ax.transData)
+    return shaded
+
+
+def _across(light: Across, outline: np.ndarray) -> tuple[np.ndarray, tuple, Affine2D]:
+    """How far along the gradient each pixel lies, and where they lie on the picture."""
+    (x, y), (u, v) = light.start, np.asarray(light.end) - light.start
+    square = (u * u + v * v) or 1.0
+    wide = float(np.abs((outline - light.start) @ [-v, u]).max()) / square + 0.1
+    share = np.linspace(-0.1, 1.1, _PIXELS)
+    return (np.tile(share, (2, 1)), (-0.1, 1.1, -wide, wide),
+            Affine2D(np.array([[u, -v, x], [v, u, y], [0, 0, 1]])))
+
+
+def _round(light: Round, outline: np.ndarray) -> tuple[np.ndarray, tuple, Affine2D]:
+    """How far from the middle of the gradient each pixel lies."""
+    side = np.linspace(-1, 1, _PIXELS)
+    return (np.hypot(side, side[:, None]), (-1, 1, -1, 1),
+            Affine2D().scale(light.radius).translate(*light.center))

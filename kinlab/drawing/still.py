@@ -5,15 +5,35 @@ placed once, and layers that are switched off are left out.
 """
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass, field
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
-from .camera import Camera
-from .paints import Paint
-from .scene import Item
-from .solids import Across, Round
+from ..arms.motions import Numbers
+from .camera import Camera, Extents, lens
+from .floor import Drop, drop, faded, give_way, ground, shadow
+from .floor import Solid as Shading
+from .labels import Bar, Label, place, text_size
+from .order import Body, back_to_front
+from .paints import COLOURS, INK, PAINTS, Paint
+from .scene import (
+    ARROW,
+    AXIS,
+    BOX,
+    FACE,
+    HULL,
+    LINE,
+    NAME,
+    SOLIDS,
+    TEXT,
+    TRACE,
+    TUBE,
+    Floor,
+    Item,
+    Scene,
+)
+from .solids import Across, Face, Round, faces, hull, shades
 
 _PAPER = Camera(-90.0, 90.0)    # x to the right, y up
 _AXIS = (0.075, 30.0, 54.0)     # length of an arrow: of the smaller side; at least; at most (px)
@@ -22,25 +42,354 @@ _SKIN = 1.04                    # where an arrow begins, in radii of the solid t
 _HEAD = 9.0                     # px: of an arrow
 _LEAST_CUT = 0.02               # of a tube: shorter ends are not cut off at the floor
 _TOUCH = 0.05                   # of a joint's radius: what is sunk by less lies on the floor
+_PANE = 0.7                     # how much of what lies beyond the floor is covered
+_GRID, _SHADE = "#c3ccd5", "#1d2a38"
+
+Segment = tuple[np.ndarray, np.ndarray]
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Mark:
-    """One path, or words, in px. With a gradient, `fill` holds a colour for each of its levels."""
+    """Lines or outlines in px, or words in the middle of the first point.
 
-    points: np.ndarray
+    With a gradient, `fill` holds a colour for each of its levels.
+    """
+
+    lines: list[np.ndarray]
     paint: Paint
     closed: bool = False
     light: Across | Round | None = None
-    fill: Sequence[str] = ()
+    fill: tuple[str, ...] = ()
     text: str = ""
-    faint: float = 1.0
+    weight: str = "bold"
+    opacity: float = 1.0
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Drawn:
-    """All marks of one item, under its name."""
+    """All marks of one thing, under its name."""
 
     gid: str
-    marks: list[Mark] = field(default_factory=list)
+    marks: list[Mark]
     item: Item | None = None
+
+
+def still(scene: Scene, q: Numbers, preset: str = "",
+          show: Sequence[str] = ("frames", "labels", "floor"),
+          size: tuple[float, float] | None = None) -> list[Drawn]:
+    """All that is painted at the knobs' values `q`, from the back to the front.
+
+    Parameters
+    ----------
+    scene : Scene
+    q : sequence of float
+        In the scene's units.
+    preset : str
+        Where the picture is seen from; the scene's own if left out.
+    show : sequence of str
+        Layers that are switched on.
+    size : pair of float, optional
+        Width and height (px); the scene's if left out.
+    """
+    return _Still(scene, q, preset or scene.seen_from, show, size or scene.size).painted()
+
+
+@dataclass(frozen=True, eq=False)
+class _Piece:
+    """A solid, or a part of one that goes through the floor."""
+
+    item: Item
+    ends: np.ndarray
+    size: tuple[float, ...]
+    faces: list[Face] = field(default_factory=list)
+
+    @property
+    def body(self) -> Body:
+        """As a body that others are drawn before or behind."""
+        p, q = self.ends[0], self.ends[min(1, len(self.ends) - 1)]
+        plane = (_unit(q - p), q) if self.item.part == "base" else None
+        wide = np.linalg.norm(self.ends[2:] - p, axis=1).max(initial=0.0)
+        return Body(p, q, float(1.1 * wide if self.item.shape == BOX else max(self.size)), plane)
+
+
+class _Still:
+    def __init__(self, scene: Scene, q: Numbers, preset: str, show: Sequence[str],
+                 size: tuple[float, float]) -> None:
+        self.scene, self.size = scene, size
+        self.frames = scene.frames(q)
+        self.items = [item for item in scene.items if not item.layer or item.layer in show]
+        self.floor: Floor | None = scene.floor if "floor" in show or not any(
+            switch.layer == "floor" for switch in scene.switches) else None
+        home, middle = scene.frames(scene.begin), scene.middle(self.frames)
+        camera = Camera(*scene.presets[preset])
+        self.lens = lens(scene, camera, size, self._extents(self.frames), self._extents(home),
+                         middle)
+        self.paper = lens(replace(scene, fit=None), _PAPER, size, middle=middle)
+
+    def painted(self) -> list[Drawn]:
+        pieces = [self._lit(piece) for item in self._of(SOLIDS) for piece in self._pieces(item)]
+        sunk, standing = self._ordered(pieces)
+        drops = [self._drop(k) for k in self.floor.drops] if self.floor else []
+        over, under = [], []
+        for item in self.items:
+            if item.shape in (LINE, ARROW, FACE, HULL, TRACE):
+                (over if item.body >= 0 else under).append(item)
+        return [*sunk, *self._ground(pieces, drops, bool(sunk)), *map(self._stroke, under),
+                *standing, *self._hints(), *map(self._stroke, self._far_to_near(over)),
+                *self._words(pieces, drops)]
+
+    def _of(self, shapes: Sequence[str]) -> list[Item]:
+        return [item for item in self.items if item.shape in shapes]
+
+    def _room(self, item: Item, frames: np.ndarray | None = None) -> np.ndarray:
+        """Where an item's points are in the room."""
+        frames = self.frames if frames is None else frames
+        index = [int(point[0]) for point in item.points]
+        local = np.array([(*point[1:], 1.0) for point in item.points])
+        return np.einsum("kij,kj->ki", frames[index][:, :3], local)
+
+    def _extents(self, frames: np.ndarray) -> Extents:
+        """Balls that have to be seen: the ends of solids, and feet."""
+        balls: list[tuple[Numbers, float]] = []
+        for item in self.scene.items:
+            if item.shape in SOLIDS:
+                ends = self._room(item, frames)
+                radii = item.size if item.shape != BOX else (
+                    float(np.linalg.norm(ends[2] - ends[0])),) * 2
+                balls += zip(ends, radii)
+        for k in self.scene.floor.drops if self.scene.floor else ():
+            x, y, z = frames[k][:3, 3]
+            balls += [((x, y, z), 0.0), ((x, y, self.scene.floor.height), 0.0)]
+        return balls
+
+    # ---- solids, axes, drop lines ----
+
+    def _pieces(self, item: Item) -> list[_Piece]:
+        """A solid, in two where it is a tube that goes through the floor."""
+        ends, size = self._room(item), item.size
+        if item.shape == TUBE and self.floor:
+            a, b = ends
+            way = b[2] - a[2]
+            share = (self.floor.height - a[2]) / way if way else -1.0
+            if _LEAST_CUT < share < 1 - _LEAST_CUT:
+                middle, radius = a + share * (b - a), size[0] + share * (size[1] - size[0])
+                return [_Piece(item, np.array([a, middle]), (size[0], radius)),
+                        _Piece(item, np.array([middle, b]), (radius, size[1]))]
+        return [_Piece(item, ends, size)]
+
+    def _lit(self, piece: _Piece) -> _Piece:
+        item = piece.item
+        seen = faces(item.shape, self.lens, piece.ends, piece.size, PAINTS[item.style],
+                     self.frames[int(item.points[0][0])])
+        return replace(piece, faces=seen)
+
+    def _ordered(self, pieces: list[_Piece]) -> tuple[list[Drawn], list[Drawn]]:
+        """What lies beyond the floor, and what stands on the viewer's side of it."""
+        things = [(piece.body, _skins(piece)) for piece in pieces]
+        for item in self._of([AXIS]):
+            origin, skin, tip = self._axis(item)
+            things.append((Body(skin, tip, 0.0),
+                           Drawn(item.gid, [self._arrow(item, skin, tip)], item)))
+        for k in self.floor.drops if self.floor else ():
+            things.append(self._dropped(k))
+        order = back_to_front([body for body, _ in things], self.lens)
+        sides: tuple[list[Drawn], list[Drawn]] = [], []
+        for k in order:
+            body, drawn = things[k]
+            sides[not self._sunk(body)].append(drawn)
+        return sides
+
+    def _sunk(self, body: Body) -> bool:
+        """Whether a body lies on the other side of the floor than the viewer."""
+        if not self.floor:
+            return False
+        above = (body.p[2] + body.q[2]) / 2 - self.floor.height
+        touch = _TOUCH * self.scene.fit.thick if self.scene.fit else 0.0
+        return above < -touch if self.lens.near[2] >= 0 else above > touch
+
+    def _axis(self, item: Item) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        """Origin of an axis, where it leaves the solids there, and its tip."""
+        share, least, most = _AXIS
+        origin, beyond = self._room(item)
+        inside, rank = item.size
+        length = min(most, max(least, share * min(self.size))) * (1 + _PER_SHARED * rank)
+        way = beyond - origin
+        return (origin, origin + _SKIN * inside * way,
+                origin + (inside + length / self.lens.scale) * way)
+
+    def _arrow(self, item: Item, tail: np.ndarray, tip: np.ndarray) -> Mark:
+        ends = self.lens.see([tail, tip])[:, :2]
+        return Mark([arrow(ends)], PAINTS[item.style], closed=True)
+
+    def _dropped(self, k: int) -> tuple[Body, Drawn]:
+        assert self.floor
+        (x, y, z), height = self.frames[k][:3, 3], self.floor.height
+        body = Body((x, y, z - 0.02 * (z - height)), (x, y, height), 0.0)
+        paint: Paint = {"stroke": COLOURS["point"].line, "stroke-width": 1.4,
+                        "stroke-linejoin": "round", "stroke-dasharray": (5, 3)}
+        return body, Drawn(f"dropline-{k}", [Mark([self._drop(k).line], paint)])
+
+    def _drop(self, k: int) -> Drop:
+        assert self.floor
+        return drop(self.floor, self.lens, self.size, self.frames[k][:3, 3])
+
+    def _hints(self) -> Iterator[Drawn]:
+        """The arrows of frames once more, dashed, over what hides them."""
+        for item in self._of([AXIS]):
+            origin, _, tip = self._axis(item)
+            mark = self._arrow(item, origin, tip)
+            paint: Paint = {**mark.paint, "stroke-dasharray": (3, 2.5)}
+            yield Drawn(f"{item.gid}-hint", [replace(mark, paint=paint, opacity=0.6)], item)
+
+    # ---- the floor ----
+
+    def _ground(self, pieces: list[_Piece], drops: list[Drop], sunk: bool) -> Iterator[Drawn]:
+        if not self.floor:
+            return
+        seen = ground(self.floor, self.lens, self.size)
+        if sunk:
+            pane: Paint = {"stroke": "none", "fill": "#ffffff"}
+            yield Drawn("pane", [Mark([seen.rim], pane, closed=True, opacity=_PANE)])
+        colours = (COLOURS["x"].line, COLOURS["y"].line)
+        yield Drawn("ground", [
+            *_fading(faded(seen.fade, seen.grid), _GRID, 1.0),
+            *(mark for line, colour in zip(seen.rulers, colours)
+              for mark in _fading(faded(seen.fade, line[None]), colour, 1.4))])
+        shapes = [Shading(piece.item.shape, piece.ends, piece.size)
+                  for piece in pieces if piece.faces]
+        outlines = [line for line in shadow(self.floor, self.lens, shapes) if len(line)]
+        soft: Paint = {"stroke": _SHADE, "stroke-width": 7, "stroke-linejoin": "round",
+                       "fill": _SHADE}
+        yield Drawn("shadow", [Mark(outlines, soft, closed=True, opacity=0.09),
+                               Mark(outlines, {**soft, "stroke": "none"}, closed=True,
+                                    opacity=0.12)])
+        stroke: Paint = {"stroke": COLOURS["point"].line, "stroke-width": 1.0,
+                         "stroke-linejoin": "round"}
+        dotted: Paint = {**stroke, "stroke-dasharray": (2, 3)}
+        yield Drawn("foot", [mark for one in drops for mark in (
+            Mark(list(one.guides), dotted), Mark([one.foot], stroke, closed=True))])
+
+    # ---- strokes and words ----
+
+    def _stroke(self, item: Item) -> Drawn:
+        seen = self.paper if item.paper else self.lens
+        points = seen.see(self._room(item))[:, :2]
+        closed = item.shape in (ARROW, FACE, HULL)
+        return Drawn(item.gid, [Mark(outline(item.shape, points), PAINTS[item.style], closed)],
+                     item)
+
+    def _far_to_near(self, items: list[Item]) -> list[Item]:
+        """Whole bodies from far to near."""
+        depths: dict[int, list[float]] = {}
+        for item in items:
+            near = (self._room(item) @ self.lens.near).mean()
+            depths.setdefault(item.body, []).append(item.lift + float(near))
+        return sorted(items, key=lambda item: float(np.mean(depths[item.body])))
+
+    def _words(self, pieces: list[_Piece], drops: list[Drop]) -> Iterator[Drawn]:
+        """Names where they have room, then coordinates, then the numbers on the rulers."""
+        items = self._of([TEXT, NAME])
+        texts = [words for one in drops for words in one.texts]
+        taken = [words.box for words in texts]
+        places, _ = place([self._label(item) for item in items], self._strokes(),
+                          [self._bar(piece.body) for piece in pieces if piece.faces], taken,
+                          self.size)
+        for item, spot in zip(items, places):
+            if spot:
+                taken.append((spot.x, spot.y, *text_size(item.text)))
+                yield Drawn(item.gid, _lettering(item, spot.leader, (spot.x, spot.y)), item)
+        ink: Paint = {"fill": INK}
+        if texts:
+            yield Drawn("coordinates", [_text(words.text, words.place, ink) for words in texts])
+        yield from self._numbers(taken)
+
+    def _numbers(self, taken: list) -> Iterator[Drawn]:
+        if not self.floor:
+            return
+        numbers = give_way(ground(self.floor, self.lens, self.size).numbers, taken)
+        yield Drawn("numbers", [
+            replace(_text(one.words.text, one.words.place, {"fill": COLOURS[one.axis].words}),
+                    weight="normal", opacity=one.opacity) for one in numbers if one.opacity])
+
+    def _label(self, item: Item) -> Label:
+        if item.shape == NAME:
+            origin, _, tip = self._axis(item)
+            start, anchor = self.lens.see([origin, tip])[:, :2].tolist()
+        else:
+            start, (anchor,) = None, self.lens.see(self._room(item))[:, :2].tolist()
+        return Label(tuple(anchor), start and tuple(start), *text_size(item.text))
+
+    def _strokes(self) -> list[Bar]:
+        ends = [self.lens.see(np.array(self._axis(item))[[0, 2]]) for item in self._of([AXIS])]
+        ends += [self.lens.see(self._room(item)) for item in self._of([ARROW])]
+        return [Bar(tuple(a[:2]), tuple(b[:2])) for a, b in ends]
+
+    def _bar(self, body: Body) -> Bar:
+        a, b = self.lens.see([body.p, body.q])
+        return Bar(tuple(a[:2]), tuple(b[:2]), body.r * self.lens.scale * max(a[2], b[2]))
+
+
+def _skins(piece: _Piece) -> Drawn:
+    """The faces of a solid in their colours."""
+    paint = PAINTS[piece.item.style]
+    ramp = shades(paint["ramp"])
+    hub = shades(paint["hub"]) if "hub" in paint else ramp
+    edge: Paint = {"stroke": paint["stroke"], "stroke-width": paint["stroke-width"],
+                   "stroke-linejoin": "round"}
+    stripe: Paint = {"stroke": "#ffffff", "stroke-width": 1.7, "stroke-linejoin": "round"}
+    marks = []
+    for face in piece.faces:
+        colours = hub if face.role == "hub" else ramp
+        if face.role == "mark":
+            marks.append(Mark([face.points], stripe))
+        elif face.gradient:
+            levels = tuple(colours[level] for level in face.gradient.levels)
+            marks.append(Mark([face.points], edge, True, face.gradient, levels))
+        else:
+            assert face.level is not None
+            marks.append(Mark([face.points], {**edge, "fill": colours[face.level]}, True))
+    return Drawn(piece.item.gid, marks, piece.item)
+
+
+def _fading(pieces: tuple[np.ndarray, np.ndarray], colour: str, width: float) -> Iterator[Mark]:
+    """Pieces of lines, those together that are equally strong."""
+    lines, opacity = pieces
+    steps = np.ceil(10 * opacity).astype(int)
+    for step in np.unique(steps):
+        paint: Paint = {"stroke": colour, "stroke-width": width, "stroke-linejoin": "round"}
+        yield Mark(list(lines[steps == step]), paint, opacity=0.1 * float(step))
+
+
+def _lettering(item: Item, leader: Sequence | None, at: tuple[float, float]) -> list[Mark]:
+    paint = PAINTS[item.style]
+    thin: Paint = {"stroke": "#5b6770", "stroke-width": 0.8, "stroke-linejoin": "round"}
+    words: Paint = {"fill": paint.get("words") or paint.get("fill", INK)}
+    lines = [Mark([np.array(leader)], thin)] if leader else []
+    return [*lines, _text(item.text, at, words)]
+
+
+def _text(text: str, at: Sequence[float], paint: Paint) -> Mark:
+    return Mark([np.array([at], dtype=float)], paint, text=text)
+
+
+def outline(shape: str, points: np.ndarray) -> list[np.ndarray]:
+    """Corners of the path that a shape makes on the picture; none where it cannot be seen."""
+    if shape == FACE:
+        (x, y), (u, v) = points.T, np.roll(points, -1, axis=0).T
+        return [points] if np.sum(x * v - u * y) < 0 else []  # y points down
+    return [{HULL: hull, ARROW: arrow}.get(shape, lambda p: p)(points)]
+
+
+def arrow(ends: np.ndarray) -> np.ndarray:
+    """Shaft and head; the head shrinks as the arrow turns towards the viewer."""
+    tail, tip = ends
+    shaft = tip - tail
+    length = float(np.hypot(*shaft))
+    along = shaft / length if length > 1e-9 else np.zeros(2)
+    head = min(_HEAD, 0.5 * length)
+    neck, side = tip - head * along, 0.36 * head * np.array([-along[1], along[0]])
+    return np.array([tail, neck, neck + side, tip, neck - side, neck, tail])
+
+
+def _unit(vector: np.ndarray) -> np.ndarray:
+    return vector / (np.linalg.norm(vector) or 1.0)

@@ -21,7 +21,7 @@ from .scene import Scene
 
 IDLE = 20.0  # seconds
 
-Job = tuple[str, Scene, Numbers, str, Sequence[str]]  # which kind, and what `figure` takes
+Job = tuple[Scene, Numbers, str, Sequence[str]]  # what `figure` takes
 
 _lock = Lock()
 _hand: subprocess.Popen[bytes] | None = None
@@ -33,21 +33,15 @@ def begin() -> None:
         _running()
 
 
-def svg(scene: Scene, q: Numbers, preset: str, show: Sequence[str]) -> str:
-    """The scene at joint values `q` as SVG text; see `figure.svg`."""
-    return _ask(("svg", scene, q, preset, show))
-
-
 def png(scene: Scene, q: Numbers, preset: str, show: Sequence[str]) -> bytes:
     """The scene at joint values `q` as a PNG picture; see `figure.png`."""
-    return _ask(("png", scene, q, preset, show))
+    return _ask((scene, q, preset, show))
 
 
 def _draw(job: Job) -> Any:
     from . import figure
 
-    kind, scene, q, preset, show = job
-    return getattr(figure, kind)(figure.figure(scene, q, preset, show))
+    return figure.png(figure.figure(*job))
 
 
 def _ask(job: Job) -> Any:

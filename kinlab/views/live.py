@@ -176,18 +176,14 @@ class LiveView(anywidget.AnyWidget):
 
     def html(self, *, address: bool = False) -> str:
         """The view as a piece of a page that has kinlab's script and style (`bundle`)."""
-        off = {switch.layer for switch in self._scene.switches} - set(self._scene.shown)
-        parts = [item.gid for item in self._scene.items if item.layer in off]
         data = {"scene": self.scene, "q": self._values.tolist()}
-        return page.part(page.hidden(self._still(), parts), data, repr(self), self.formula,
-                         address=address)
+        return page.part(self._still(), data, repr(self), self.formula, address=address)
 
     # ---- the picture for places where no widget runs ----
 
-    def _still(self) -> str:
-        """The picture as it stands now, with every layer, as SVG."""
-        every = {item.layer for item in self._scene.items}
-        return worker.svg(self._scene, self._values, self._scene.seen_from, tuple(every))
+    def _still(self) -> bytes:
+        """The picture as it stands now, as PNG."""
+        return worker.png(self._scene, self._values, self._scene.seen_from, self._scene.shown)
 
     def __repr__(self) -> str:
         values = [f"{knob.name}={numbers([getattr(self, knob.name)])}{knob.suffix}"
@@ -210,8 +206,7 @@ class LiveView(anywidget.AnyWidget):
 
     def _elsewhere(self) -> tuple[dict, dict]:
         """A text and a picture, with words for those who cannot see it."""
-        still = worker.png(self._scene, self._values, self._scene.seen_from, self._scene.shown)
-        return ({"text/plain": repr(self), "image/png": still},
+        return ({"text/plain": repr(self), "image/png": self._still()},
                 {"image/png": {"alt": f"{self.ALT} {self!r}"}})
 
     def close(self) -> None:

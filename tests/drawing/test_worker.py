@@ -37,24 +37,24 @@ def test_the_editor_leaves_it_out_too():
 
 
 def test_the_pictures_are_those_that_would_be_drawn_here():
-    assert worker.svg(*JOB) == figure.svg(figure.figure(*JOB))
+    assert worker.png(*JOB) == figure.png(figure.figure(*JOB))
     assert worker.png(*JOB) == figure.png(figure.figure(*JOB))
 
 
 def test_the_drawing_process_ends_when_idle_and_starts_again(monkeypatch):
     monkeypatch.setattr(worker, "IDLE", 0.5)
-    picture = worker.svg(*JOB)
+    picture = worker.png(*JOB)
     first = worker._hand
-    assert worker.svg(*JOB) == picture and worker._hand is first
+    assert worker.png(*JOB) == picture and worker._hand is first
     assert first.wait(timeout=30) == 0
-    assert worker.svg(*JOB) == picture and worker._hand is not first
+    assert worker.png(*JOB) == picture and worker._hand is not first
 
 
 def test_a_drawing_process_that_dies_is_replaced():
-    picture = worker.svg(*JOB)
+    picture = worker.png(*JOB)
     worker._hand.kill()
     time.sleep(0.1)
-    assert worker.svg(*JOB) == picture
+    assert worker.png(*JOB) == picture
 
 
 def test_without_processes_the_picture_is_drawn_here(monkeypatch):
@@ -63,10 +63,10 @@ def test_without_processes_the_picture_is_drawn_here(monkeypatch):
 
     monkeypatch.setattr(worker, "_hand", None)
     monkeypatch.setattr(worker, "_start", refuse)
-    assert worker.svg(*JOB) == figure.svg(figure.figure(*JOB))
+    assert worker.png(*JOB) == figure.png(figure.figure(*JOB))
 
 
 def test_an_error_in_the_drawing_is_raised_here_and_the_next_picture_is_whole():
     with pytest.raises(KeyError, match="nowhere"):
-        worker.svg(JOB[0], JOB[1], "nowhere", ())
-    assert worker.svg(*JOB) == figure.svg(figure.figure(*JOB))
+        worker.png(JOB[0], JOB[1], "nowhere", ())
+    assert worker.png(*JOB) == figure.png(figure.figure(*JOB))

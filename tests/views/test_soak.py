@@ -29,8 +29,8 @@ def show(times):
 show(3)
 view = kl.ArmView(arm)
 drag(view, 200)
-drawn = worker.svg(view._scene, view._values, "3-D", ())
-worker.svg = worker.png = lambda *job: drawn  # another process draws, and takes most of the time
+drawn = worker.png(view._scene, view._values, "3-D", ())
+worker.png = lambda *job: drawn  # another process draws, and takes most of the time
 show(3)
 """
 
