@@ -33,7 +33,7 @@ LIBRARIES = {
     "browser": set(), "tables": {"numpy"}, "views": {"numpy"}, "lessons": {"numpy", "sympy"},
     "course": {"numpy", "nbformat", "nbclient", "nbconvert", "pygments", "jupyterlab"},
     "arms.symbolic": {"sympy"}, "arms.notation": {"sympy"}, "arms.motions": {"sympy"},
-    "arms.workspace": {"tqdm"}, "drawing.figure": {"matplotlib"},
+    "arms.workspace": {"tqdm"}, "drawing.figure": {"matplotlib", "PIL"},
     "drawing.workspace_figures": {"matplotlib"}, "browser.mathml": {"latex2mathml"},
     "browser.page": {"jinja2"},
     "views.live": {"anywidget", "traitlets"}, "views.table_editor": {"traitlets"},

@@ -19,8 +19,9 @@ _HERE = Path(__file__).parent
 def part(still: bytes, data: dict, text: str, formula: str = "", *, address: bool = False) -> str:
     """One view as HTML, to stand in any page that has the script and the style.
 
-    `still` is a picture as PNG for where no script runs, `data` the scene and the values `q` to begin with, `text` says the
-    state in words, `formula` is MathML; with `address` the page's address holds the joint values.
+    `still` is a picture as PNG for where no script runs, `data` the scene and the values `q` to
+    begin with, `text` says the state in words, `formula` is MathML; with `address` the page's
+    address holds the joint values.
     """
     plain = json.dumps(_short(data), ensure_ascii=False, separators=(",", ":"))
     plain = plain.replace("<", r"\u003c")  # no text in it can end the script

@@ -79,7 +79,7 @@ def _artists(ax: Axes, mark: Mark) -> Iterator[Artist]:
 
 
 def _placed(ax: Axes, artist: Artist) -> Artist:
-    artist.set_figure(ax.get_figure())
+    artist.set_figure(ax.figure)
     artist.axes = ax
     artist.set_transform(ax.transData)
     return artist
@@ -113,7 +113,8 @@ def _shaded(ax: Axes, outline: np.ndarray, light: Across | Round,
             colours: Sequence[str]) -> AxesImage:
     """The gradient within an outline, as a picture of its own that is cut out."""
     stops, where = np.array([to_rgb(colour) for colour in colours]), _OFFSETS[len(colours)]
-    image, extent, place = (_across if isinstance(light, Across) else _round)(light, outline)
+    image, extent, place = (_across(light, outline) if isinstance(light, Across)
+                            else _round(light))
     shaded = AxesImage(ax, interpolation="bilinear", extent=extent, origin="lower")
     shaded.set_data(np.stack([np.interp(image, where, stop) for stop in stops.T], axis=-1))
     shaded.set_transform(place + ax.transData)
@@ -131,7 +132,7 @@ def _across(light: Across, outline: np.ndarray) -> tuple[np.ndarray, tuple, Affi
             Affine2D(np.array([[u, -v, x], [v, u, y], [0, 0, 1]])))
 
 
-def _round(light: Round, outline: np.ndarray) -> tuple[np.ndarray, tuple, Affine2D]:
+def _round(light: Round) -> tuple[np.ndarray, tuple, Affine2D]:
     """How far from the middle of the gradient each pixel lies."""
     side = np.linspace(-1, 1, _PIXELS)
     return (np.hypot(side, side[:, None]), (-1, 1, -1, 1),

@@ -130,10 +130,9 @@ class _Still:
         pieces = [self._lit(piece) for item in self._of(SOLIDS) for piece in self._pieces(item)]
         sunk, standing = self._ordered(pieces)
         drops = [self._drop(k) for k in self.floor.drops] if self.floor else []
-        over, under = [], []
-        for item in self.items:
-            if item.shape in (LINE, ARROW, FACE, HULL, TRACE):
-                (over if item.body >= 0 else under).append(item)
+        strokes = self._of((LINE, ARROW, FACE, HULL, TRACE))
+        under, over = ([item for item in strokes if (item.body >= 0) is above]
+                       for above in (False, True))
         return [*sunk, *self._ground(pieces, drops, bool(sunk)), *map(self._stroke, under),
                 *standing, *self._hints(), *map(self._stroke, self._far_to_near(over)),
                 *self._words(pieces, drops)]
@@ -150,6 +149,7 @@ class _Still:
 
     def _extents(self, frames: np.ndarray) -> Extents:
         """Balls that have to be seen: the ends of solids, and feet."""
+        floor = self.scene.floor
         balls: list[tuple[Numbers, float]] = []
         for item in self.scene.items:
             if item.shape in SOLIDS:
@@ -157,9 +157,10 @@ class _Still:
                 radii = item.size if item.shape != BOX else (
                     float(np.linalg.norm(ends[2] - ends[0])),) * 2
                 balls += zip(ends, radii)
-        for k in self.scene.floor.drops if self.scene.floor else ():
+        for k in floor.drops if floor else ():
+            assert floor
             x, y, z = frames[k][:3, 3]
-            balls += [((x, y, z), 0.0), ((x, y, self.scene.floor.height), 0.0)]
+            balls += [((x, y, z), 0.0), ((x, y, floor.height), 0.0)]
         return balls
 
     # ---- solids, axes, drop lines ----
@@ -187,7 +188,7 @@ class _Still:
         """What lies beyond the floor, and what stands on the viewer's side of it."""
         things = [(piece.body, _skins(piece)) for piece in pieces]
         for item in self._of([AXIS]):
-            origin, skin, tip = self._axis(item)
+            _, skin, tip = self._axis(item)
             things.append((Body(skin, tip, 0.0),
                            Drawn(item.gid, [self._arrow(item, skin, tip)], item)))
         for k in self.floor.drops if self.floor else ():
@@ -218,7 +219,7 @@ class _Still:
                 origin + (inside + length / self.lens.scale) * way)
 
     def _arrow(self, item: Item, tail: np.ndarray, tip: np.ndarray) -> Mark:
-        ends = self.lens.see([tail, tip])[:, :2]
+        ends = self.lens.see(np.array([tail, tip]))[:, :2]
         return Mark([arrow(ends)], PAINTS[item.style], closed=True)
 
     def _dropped(self, k: int) -> tuple[Body, Drawn]:
@@ -314,7 +315,7 @@ class _Still:
     def _label(self, item: Item) -> Label:
         if item.shape == NAME:
             origin, _, tip = self._axis(item)
-            start, anchor = self.lens.see([origin, tip])[:, :2].tolist()
+            start, anchor = self.lens.see(np.array([origin, tip]))[:, :2].tolist()
         else:
             start, (anchor,) = None, self.lens.see(self._room(item))[:, :2].tolist()
         return Label(tuple(anchor), start and tuple(start), *text_size(item.text))
@@ -325,7 +326,7 @@ class _Still:
         return [Bar(tuple(a[:2]), tuple(b[:2])) for a, b in ends]
 
     def _bar(self, body: Body) -> Bar:
-        a, b = self.lens.see([body.p, body.q])
+        a, b = self.lens.see(np.array([body.p, body.q]))
         return Bar(tuple(a[:2]), tuple(b[:2]), body.r * self.lens.scale * max(a[2], b[2]))
 
 
