@@ -190,28 +190,16 @@ const skin = ({ length, radii: [first, second] }, side, direction) =>
 function flank(tube, open) {
   const { lens, ends: [first, second], radii, direction, length } = tube;
   const middle = partway(first, second, 0.5), place = lens.see(middle), n = lens.turn(direction);
-  const [across, ahead, tall] = lying(n, lens.turn(lens.eye(middle)));
-  const reach = Math.max(...radii) * lens.scale * place[2];
-  const share = open ? discShare(tall * length, 2 * radii[n[2] > 0 ? 1 : 0] * n[2]) : 0;
-  const end = shine(n[2] > 0 ? n : times(n, -1));
+  const eye = unit(lens.turn(lens.eye(middle))), near = dot(n, eye), tall = norm(cross(n, eye));
+  const across = tall > EDGE_ON ? unit(cross(n, eye)) : [1, 0, 0], ahead = cross(across, n);
+  const share = open ? discShare(tall * length, 2 * radii[near > 0 ? 1 : 0] * near) : 0;
+  const end = shine(near > 0 ? n : times(n, -1));
   const levels = STOPS.map((u) => {
     const side = plus(times(across, u), times(ahead, Math.sqrt(1 - u * u)));
     return levelOf((1 - share) * shine(skin(tube, side, n)) + share * end);
   });
+  const reach = Math.max(...radii) * lens.scale * place[2];
   return { from: beside(place, across, -reach), to: beside(place, across, reach), levels };
-}
-
-/**
- * Of a direction n (right, up, near): the direction across it on the picture, the one at right
- * angles to both that looks at the viewer, and how long n appears.
- * @type {(n: Triple, eye: Triple) => [Triple, Triple, number]}
- */
-function lying(n, eye) {
-  const right = n[0] - n[2] * eye[0] / eye[2], up = n[1] - n[2] * eye[1] / eye[2];
-  const tall = Math.hypot(right, up);
-  const across = tall > EDGE_ON ? [up / tall, -right / tall, 0] : [1, 0, 0];
-  const ahead = cross(across, n);
-  return [across, ahead[2] < 0 ? times(ahead, -1) : ahead, tall];
 }
 
 /**

@@ -7,29 +7,13 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
-from typing import NamedTuple, Protocol
+from typing import NamedTuple
 
 import numpy as np
 
+from .camera import Lens
 from .paints import Paint
 from .scene import BALL, BOX, TUBE
-
-
-class Lens(Protocol):
-    """What solids ask of a camera; see Lens in kinlab/browser/types.d.ts."""
-
-    @property
-    def scale(self) -> float:
-        """Pixels per length unit where things have their own size."""
-
-    def see(self, points: np.ndarray, /) -> np.ndarray:
-        """Right and down on the picture (px), and the size of things there."""
-
-    def eye(self, points: np.ndarray, /) -> np.ndarray:
-        """Directions from points to the viewer."""
-
-    def turn(self, directions: np.ndarray, /) -> np.ndarray:
-        """Components of directions to the right, up and towards the viewer."""
 
 
 class Across(NamedTuple):
@@ -197,29 +181,17 @@ def _flank(tube: _Tube, *, open_: bool) -> Across:
     of it is seen.
     """
     lens, middle, n = tube.lens, tube.ends.mean(axis=0), tube.lens.turn(tube.direction)
-    across, ahead, tall = _lying(n, lens.turn(lens.eye(middle)))
-    *place, near = lens.see(middle)
-    deep = 2 * tube.radii[1 if n[2] > 0 else 0] * n[2]
+    eye, (*place, size) = _unit(lens.turn(lens.eye(middle))), lens.see(middle)
+    near, tall = float(n @ eye), float(np.linalg.norm(np.cross(n, eye)))
+    across = _unit(np.cross(n, eye)) if tall > _EDGE_ON else np.array([1.0, 0.0, 0.0])
+    deep = 2 * tube.radii[1 if near > 0 else 0] * near
     share = _disc_share(tall * tube.length, deep) if open_ else 0.0
-    end = _shine(n if n[2] > 0 else -n)
-    sides = [u * across + np.sqrt(1 - u * u) * ahead for u in _STOPS]
+    end = _shine(n if near > 0 else -n)
+    sides = [u * across + np.sqrt(1 - u * u) * np.cross(across, n) for u in _STOPS]
     levels = tuple(_level((1 - share) * _shine(tube.skin(side, n)) + share * end)
                    for side in sides)
-    reach = max(tube.radii) * lens.scale * near * across[:2] * (1, -1)
+    reach = max(tube.radii) * lens.scale * size * across[:2] * (1, -1)
     return Across(place - reach, place + reach, levels)
-
-
-def _lying(n: np.ndarray, eye: np.ndarray) -> tuple[np.ndarray, np.ndarray, float]:
-    """Of a direction n (right, up, near): how it lies on the picture.
-
-    Given are the direction across it, the one at right angles to both that looks at the viewer,
-    and how long n appears.
-    """
-    right, up = n[:2] - n[2] * eye[:2] / eye[2]
-    tall = float(np.hypot(right, up))
-    across = np.array([up, -right, 0.0]) / tall if tall > _EDGE_ON else np.array([1.0, 0.0, 0.0])
-    ahead = np.cross(across, n)
-    return across, -ahead if ahead[2] < 0 else ahead, tall
 
 
 def _disc_share(tall: float, deep: float) -> float:

@@ -14,7 +14,10 @@ import numpy as np
 import kinlab as kl
 from kinlab.arms.motions import ROTATE, TRANSLATE
 from kinlab.drawing.arm_scene import arm_scene
+from kinlab.drawing.camera import Camera
+from kinlab.drawing.paints import PAINTS
 from kinlab.drawing.scene import Scene, Step, Velocity
+from kinlab.drawing.solids import Face, faces, shades
 from kinlab.tables.cells import angle_text, read_angle, read_length
 
 HERE = Path(__file__).parent
@@ -119,7 +122,75 @@ def _read(how, text: str) -> float | None:
     return value
 
 
-FIXTURES = {"frames": frames, "numbers": numbers}
+class Look:
+    """A camera in the simplest words; with `far`, that far from the room's origin."""
+
+    def __init__(self, azimuth: float, elevation: float, scale: float, far: float | None = None):
+        self.rows, self.scale, self.far = Camera(azimuth, elevation).axes, scale, far
+
+    def see(self, points: np.ndarray) -> np.ndarray:
+        right, up, near = self.rows @ np.moveaxis(points, -1, 0)
+        size = 1.0 if self.far is None else self.far / (self.far - near)
+        return np.stack([300 + self.scale * size * right, 200 - self.scale * size * up,
+                         size + 0 * near], axis=-1)
+
+    def eye(self, point: np.ndarray) -> np.ndarray:
+        return self.rows[2] if self.far is None else self.far * self.rows[2] - point
+
+    def turn(self, direction: np.ndarray) -> np.ndarray:
+        return self.rows @ direction
+
+    def data(self) -> dict:
+        return {"rows": np.round(self.rows, 12).tolist(), "scale": self.scale, "far": self.far}
+
+
+LOOKS = {"3-D": Look(-60, 24, 40), "top": Look(-90, 90, 40), "side": Look(0, 0, 12),
+         "below": Look(75, -40, 12), "near": Look(-60, 24, 40, far=9)}
+SOLIDS = [
+    ("tube", "iron", [(0.2, 0.1, -0.5), (0.2, 0.1, 0.6)], (0.8, 0.8)),
+    ("tube", "iron", [(-1, 0.3, 0.2), (0.7, 0.1, 0.4)], (0.5, 0.5)),
+    ("tube", "steel", [(1, 0, 2), (-0.4, 1.3, 0.2)], (0.7, 0.4)),
+    ("tube", "steel", [(1, 0, 0), (1, 0, 2)], (0.4, 0.7)),
+    ("tube", "base", [(0, 0, 0), (0, 0, 0.3)], (2, 1.9)),
+    ("tube", "iron", [(0.5, 0.5, 0.5), (0.5, 0.5, 0.5)], (0.3, 0.3)),
+    ("tube", "steel", [(0, 0, 0), (1, 1, 0)], (0, 0)),
+    ("ball", "steel", [(0.5, -0.2, 0.1)], (0.9,)),
+    ("box", "sleeve", [(0, 0, -1), (0, 0, 1), (0.6, 0, -1), (0, 0.5, -1)], ()),
+    ("box", "steel", [(0, 0, 0), (-0.2, 0.5, 1), (0.6, 0.1, 0), (0, 0.5, 0.2)], (1.0,)),
+    ("box", "steel", [(0, 0, 0), (0, 0, -1), (0.6, 0, 0), (0, 0.5, 0)], (1.0,)),
+    ("box", "grip", [(0, 0, 0), (0, 0, 1), (0, 0, 0), (0, 0.5, 0)], ()),
+    ("box", "grip", [(0, 0, 0), (0, 0, 1), (0, 0.5, 0), (0.6, 0, 0)], ()),
+]
+
+
+def solids() -> dict:
+    """Faces of solids from several sides, in a frame that is turned a little; and ramps."""
+    pose = kl.homogeneous(kl.rotation_z(0.4) @ kl.rotation_x(0.2), [0, 0, 0])
+    seen = [{"shape": shape, "points": points, "size": size, "style": style, "look": name,
+             "faces": [_plain(face) for face in faces(shape, look, np.array(points, float), size,
+                                                      PAINTS[style], pose)]}
+            for shape, style, points, size in SOLIDS for name, look in LOOKS.items()]
+    styles = {style: {**PAINTS[style], "shades": shades(PAINTS[style]["ramp"])}
+              for style in ("iron", "sleeve", "steel", "base", "grip")}
+    return {"frame": _columns(pose[None])[0], "styles": styles,
+            "looks": {name: look.data() for name, look in LOOKS.items()}, "seen": seen}
+
+
+AROUND = np.arange(24) * np.pi / 12
+
+
+def _plain(face: Face) -> dict:
+    """A face as data. Of an outline only how far it reaches: its corners hang on the last bit."""
+    data = {"role": face.role, "level": face.level, "gradient": face.gradient and [
+        np.round(part, 9).tolist() for part in face.gradient]}
+    if face.role == "side":
+        x, y = face.points.T
+        far = np.outer(np.cos(AROUND), x) + np.outer(np.sin(AROUND), y)
+        return data | {"reach": np.round(far.max(axis=1), 9).tolist()}
+    return data | {"points": np.round(face.points, 9).tolist()}
+
+
+FIXTURES = {"frames": frames, "numbers": numbers, "solids": solids}
 
 
 def path(name: str) -> Path:
