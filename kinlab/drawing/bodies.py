@@ -103,9 +103,11 @@ class Bodies:
         return 1 if ahead > self.t else -1
 
     def _telescopes(self, i: int) -> bool:
-        """Whether a joint slides out of the link before it."""
+        """Whether a joint slides out of the link before it, or straight up out of the base."""
         if not self.layout.slides(i) or self.layout.range(i)[0] < 0:
             return False
+        if i == 0:
+            return bool(self.layout.home[self.layout.joints[0]][2, 2] > _UPRIGHT)
         before = [motion for motion in self.layout.motions[:self.layout.joints[i]]
                   if motion.kind != ROTATE or motion.axis != 2]
         return bool(before) and before[-1].kind == TRANSLATE and before[-1].axis == 2
@@ -113,7 +115,8 @@ class Bodies:
     def _ground(self) -> float:
         """Height of the ground: 0, or lower where the first joint needs room above it."""
         frame = self.layout.home[self.layout.joints[0]]
-        tall = _SLEEVE if self.layout.slides(0) else _HALF
+        tall = _HALF if not self.layout.slides(0) else _OUTER if self.places[0].telescope \
+            else _SLEEVE
         upright = abs(frame[2, 2])
         lowest = self.taken[0][2] - self.t * (tall * upright + 1.1 * (1 - upright))
         return 0.0 if lowest > 0.5 * self.t else float(lowest - 0.58 * self.t)
@@ -187,15 +190,18 @@ class Bodies:
         return (_HALF if straight else 0.93) * self.t
 
     def _rods(self, i: int, frame: int) -> Iterator[Item]:
-        """A rod of constant length through the sleeve: what stands out ahead and behind."""
+        """A rod of constant length through the sleeve: what stands out ahead and behind.
+
+        It ends where the arm goes on, or so far beyond the sleeve that it never slips out.
+        """
         (low, high), place, t = self.layout.range(i), self.places[i], self.t
         half = (_OUTER if place.telescope else _SLEEVE) * t
-        tip = (0.5 - _GRIP) * t if i + 1 == self.layout.arm.n else 0.0
-        ahead = tip if low >= 0 else 2.5 * t - low
+        hand = (0.5 - _GRIP) * t if i + 1 == self.layout.arm.n else 0.0
+        ahead = 2.5 * t - low if low < 0 else hand
+        behind = -high - 2.5 * t if high > 0 else -hand
         yield self._rod(f"rod-{i + 1}", i, (frame - 1, place.along + half), (frame, ahead))
-        if not place.telescope and high > 0:
-            yield self._rod(f"tail-{i + 1}", i, (frame, -high - 2.5 * t),
-                            (frame - 1, place.along - half))
+        if not place.telescope:
+            yield self._rod(f"tail-{i + 1}", i, (frame, behind), (frame - 1, place.along - half))
 
     def _rod(self, gid: str, i: int, a: tuple[int, float], b: tuple[int, float]) -> Item:
         s = _ROD * self.t
@@ -263,5 +269,5 @@ def _approach(layout: Layout) -> np.ndarray:
         return _AXES[2]
     last = layout.motions[slides[-1]]
     rest = matrix(follow(layout.motions[slides[-1] + 1:], (), Frame()))
-    sign = -1 if last.joint is None and last.amount < 0 else 1
-    return sign * rest[:3, :3].T @ _AXES[last.axis]
+    way = last.amount if last.joint is None else sum(layout.range(last.joint))
+    return (-1 if way < 0 else 1) * rest[:3, :3].T @ _AXES[last.axis]
