@@ -31,12 +31,12 @@ import { clip } from "./steps.js";
 /** @typedef {{ seats: Seat[], bars: Obstacle[], fixed: Box[], size: number[] }} Crowd */
 
 const LETTER_WIDTHS = /** @type {[string, number][]} */ ([
-  ["₀₁₂₃₄₅₆₇₈₉₊₋₌₍₎ₐₑₕᵢⱼₖₗₘₙₒₚᵣₛₜᵤᵥₓ⁰¹²³⁻′", 5.4], [" .,:;'|!ijlI()[]ft/-r·", 4.8],
-  ["mwMW@%—", 11.6], ["ABCDEFGHKNOPQRSTUVXYZ−=+<>×°θ", 9.2],
+  ["₀₁₂₃₄₅₆₇₈₉₊₋₌₍₎ₐₑₕᵢⱼₖₗₘₙₒₚᵣₛₜᵤᵥₓ⁰¹²³⁻′", 5.4], [" .,:;'|!ijlI()[]ft/-r·", 5],
+  ["mwMW@%—−", 11.6], ["ABCDEFGHKNOPQRSTUVXYZ=+<>×°θ", 9.2],
 ]);
-const LETTER = 7.8, LINE_HEIGHT = 14;
+const LETTER = 8.3, LINE_HEIGHT = 14;
 const BESIDE = 3, ASIDE = 4, END_ON = 12, LEADER_GAP = 8.5;             // px
-const SPRING = 0.22, OFF_STROKE = 0.3, OFF_SOLID = 0.34, DEEPEST = 12;  // a push grows no further
+const SPRING = 0.22, OFF_STROKE = 0.5, OFF_SOLID = 0.34, DEEPEST = 12;  // a push grows no further
 const EASE = 0.5;                           // of a step: nobody trembles between two others
 const TOUCH = 1, OVERLAP = 1, RIM = 2, STILL = 0.01, TINY = 1e-6;
 const NEW_STEPS = 140, AGAIN = 40, ROUNDS = 4, NEW_PX = 3, MOST_PX = 2;

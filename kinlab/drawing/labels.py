@@ -13,11 +13,11 @@ import numpy as np
 Px = tuple[float, float]
 Box = Sequence[float]  # its middle, then its width and height
 
-_LETTER_WIDTHS = (("₀₁₂₃₄₅₆₇₈₉₊₋₌₍₎ₐₑₕᵢⱼₖₗₘₙₒₚᵣₛₜᵤᵥₓ⁰¹²³⁻′", 5.4), (" .,:;'|!ijlI()[]ft/-r·", 4.8),
-                  ("mwMW@%—", 11.6), ("ABCDEFGHKNOPQRSTUVXYZ−=+<>×°θ", 9.2))
-_LETTER, _LINE_HEIGHT = 7.8, 14.0
+_LETTER_WIDTHS = (("₀₁₂₃₄₅₆₇₈₉₊₋₌₍₎ₐₑₕᵢⱼₖₗₘₙₒₚᵣₛₜᵤᵥₓ⁰¹²³⁻′", 5.4), (" .,:;'|!ijlI()[]ft/-r·", 5.0),
+                  ("mwMW@%—−", 11.6), ("ABCDEFGHKNOPQRSTUVXYZ=+<>×°θ", 9.2))
+_LETTER, _LINE_HEIGHT = 8.3, 14.0
 _BESIDE, _ASIDE, _END_ON, _LEADER_GAP = 3.0, 4.0, 12.0, 8.5  # px
-_SPRING, _OFF_STROKE, _OFF_SOLID, _DEEPEST = 0.22, 0.3, 0.34, 12.0
+_SPRING, _OFF_STROKE, _OFF_SOLID, _DEEPEST = 0.22, 0.5, 0.34, 12.0
 _EASE = 0.5  # of a step: nobody trembles between two others
 _TOUCH, _OVERLAP, _RIM, _STILL, _TINY = 1.0, 1.0, 2.0, 0.01, 1e-6
 _NEW_STEPS, _AGAIN, _ROUNDS, _NEW_PX, _MOST_PX = 140, 40, 4, 3.0, 2.0
