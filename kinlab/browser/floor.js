@@ -127,10 +127,10 @@ function numbersOn(floor, lens, size, axis, fade, below) {
   const [from, to] = [at(0), at(1)], gap = Math.hypot(to[0] - from[0], to[1] - from[1]);
   if (gap < SHORTEST || !all.length) return [];
   const way = to.map((e, k) => (e - from[k]) / gap), side = viewersSide(way, below);
-  const every = spacing(floor, way, gap, all[0]);
+  const every = spacing(floor, way, gap, all[0]), digits = decimalsOf(step);
   return all.filter((i) => i % every === 0).flatMap((i) => {
     const point = at(i), opacity = strength(fade, point);
-    const words = besideRuler(marked(i * step, step), point, side);
+    const words = besideRuler(marked(i * step, digits), point, side);
     const shown = opacity >= PALEST && fits(words, size);
     return shown ? [{ ...words, axis, opacity }] : [];
   });
@@ -157,9 +157,10 @@ function viewersSide([x, y], below) {
  * @type {(floor: Floor, way: number[], gap: number, last: number) => number}
  */
 function spacing({ step }, [x, y], gap, last) {
-  const [w, h] = textSize(marked(last * step, step));
-  const need = Math.min((w + BETWEEN) / (Math.abs(x) || 1e-9), (h + 2) / (Math.abs(y) || 1e-9));
-  return EVERY.find((every) => every * gap >= need) ?? Infinity;
+  return EVERY.find((every) => {
+    const [w, h] = textSize(number(last * step, decimalsOf(every * step)));
+    return every * gap * Math.abs(x) >= w + BETWEEN || every * gap * Math.abs(y) >= h + 2;
+  }) ?? Infinity;
 }
 
 /** @type {(words: Words, size: number[]) => boolean} */
@@ -167,16 +168,18 @@ const fits = ({ place, w, h }, size) => [w, h].every((length, k) =>
   place[k] - length / 2 >= INSIDE && place[k] + length / 2 <= size[k] - INSIDE);
 
 /**
- * A number on a ruler with no more decimals than its step has.
- * @param {number} value
+ * Decimals of a ruler's step.
  * @param {number} step
  */
-function marked(value, step) {
+function decimalsOf(step) {
   let digits = 0;
   while (digits < 9 && Math.abs(Number(step.toFixed(digits)) - step) > 1e-9 * step) digits++;
-  const text = number(value, digits);
-  return digits ? text.replace(/\.?0+$/, "") : text;
+  return digits;
 }
+
+/** @type {(value: number, digits: number) => string} */
+const marked = (value, digits) =>
+  digits ? number(value, digits).replace(/\.?0+$/, "") : number(value, 0);
 
 /**
  * The outline of every solid's shadow, straight under it.

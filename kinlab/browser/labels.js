@@ -40,7 +40,7 @@ const SPRING = 0.22, OFF_STROKE = 0.5, OFF_SOLID = 0.34, DEEPEST = 12;  // a pus
 const EASE = 0.5;                           // of a step: nobody trembles between two others
 const TOUCH = 1, OVERLAP = 1, RIM = 2, STILL = 0.01, TINY = 1e-6;
 const NEW_STEPS = 140, AGAIN = 40, ROUNDS = 4, NEW_PX = 3, MOST_PX = 2;
-const QUIET = 0.15, PATIENCE = 90, SLOWER = 60;                         // pictures
+const QUIET = 0.06, PATIENCE = 90, SLOWER = 60;                         // pictures
 const GAPS = [4, 12, 22, 34, 48], WAYS = 8, SPOTS = GAPS.length * WAYS;
 
 /** @param {string} letter */

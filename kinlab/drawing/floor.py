@@ -200,9 +200,9 @@ def _numbers(floor: Floor, lens: Lens, size: Size, axis: str, fade: Fade,
         return []
     way = (float(along[0] / gap), float(along[1] / gap))
     side, every = _side(way, below), _spacing(floor, way, gap, marks[0])
-    numbers = []
+    numbers, digits = [], _decimals(floor.step)
     for i, point, opacity in zip(marks, points[2:], strength(fade, points[2:])):
-        words = _beside(_marked(i * floor.step, floor.step), point, side)
+        words = _beside(_marked(i * floor.step, digits), point, side)
         if i % every == 0 and opacity >= _PALEST and _fits(words, size):
             numbers.append(RulerNumber(axis, words, float(opacity)))
     return numbers
@@ -220,9 +220,11 @@ def _side(way: tuple[float, float], below: bool) -> tuple[float, float]:
 
 def _spacing(floor: Floor, way: tuple[float, float], gap: float, last: int) -> float:
     """Every which line has a number."""
-    (x, y), (w, h) = way, text_size(_marked(last * floor.step, floor.step))
-    need = min((w + _BETWEEN) / (abs(x) or 1e-9), (h + 2) / (abs(y) or 1e-9))
-    return next((every for every in _EVERY if every * gap >= need), np.inf)
+    for every in _EVERY:
+        w, h = text_size(number(last * floor.step, _decimals(every * floor.step)))
+        if every * gap * abs(way[0]) >= w + _BETWEEN or every * gap * abs(way[1]) >= h + 2:
+            return every
+    return np.inf
 
 
 def _beside(text: str, point: np.ndarray, side: tuple[float, float]) -> Words:
@@ -236,9 +238,12 @@ def _fits(words: Words, size: Size) -> bool:
                for middle, length, room in zip(words.place, (words.w, words.h), size))
 
 
-def _marked(value: float, step: float) -> str:
-    """A number on a ruler with no more decimals than its step has."""
-    digits = next((k for k in range(9) if abs(float(f"{step:.{k}f}") - step) <= 1e-9 * step), 9)
+def _decimals(step: float) -> int:
+    """Decimals of a ruler's step."""
+    return next((k for k in range(9) if abs(float(f"{step:.{k}f}") - step) <= 1e-9 * step), 9)
+
+
+def _marked(value: float, digits: int) -> str:
     text = number(value, digits)
     return text.rstrip("0").rstrip(".") if digits else text
 

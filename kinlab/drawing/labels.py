@@ -21,7 +21,7 @@ _SPRING, _OFF_STROKE, _OFF_SOLID, _DEEPEST = 0.22, 0.5, 0.34, 12.0
 _EASE = 0.5  # of a step: nobody trembles between two others
 _TOUCH, _OVERLAP, _RIM, _STILL, _TINY = 1.0, 1.0, 2.0, 0.01, 1e-6
 _NEW_STEPS, _AGAIN, _ROUNDS, _NEW_PX, _MOST_PX = 140, 40, 4, 3.0, 2.0
-_QUIET, _PATIENCE, _SLOWER = 0.15, 90, 60  # pictures
+_QUIET, _PATIENCE, _SLOWER = 0.06, 90, 60  # pictures
 _GAPS, _WAYS = (4.0, 12.0, 22.0, 34.0, 48.0), 8
 _SPOTS = len(_GAPS) * _WAYS
 

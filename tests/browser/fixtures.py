@@ -10,6 +10,7 @@ import sys
 from pathlib import Path
 
 import numpy as np
+from ground_fixtures import floor, labels
 
 import kinlab as kl
 from kinlab.arms.motions import ROTATE, TRANSLATE
@@ -190,7 +191,8 @@ def _plain(face: Face) -> dict:
     return data | {"points": np.round(face.points, 9).tolist()}
 
 
-FIXTURES = {"frames": frames, "numbers": numbers, "solids": solids}
+FIXTURES = {"frames": frames, "numbers": numbers, "solids": solids,
+            "labels": labels, "floor": floor}
 
 
 def path(name: str) -> Path:
