@@ -12,9 +12,10 @@ from typing import NamedTuple
 import numpy as np
 
 from ..arms.motions import Numbers
+from .camera import Lens
 from .labels import Box, text_size
 from .scene import BALL, TUBE, Floor
-from .solids import Lens, hull
+from .solids import hull
 
 # How strongly the floor is drawn, so far from its middle: shares of the radius, opacities.
 FADE = ((0.0, 1.0), (0.55, 0.8), (1.0, 0.0))
