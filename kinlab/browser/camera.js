@@ -87,7 +87,7 @@ function standing({ radius, place, size: drawn }, camera, { closer }, size) {
 
 /**
  * The balls fill the picture, and none leaves it. What they need is joined smoothly with what
- * home needs in the view that the scene begins with: whatever folds is not drawn larger.
+ * home needs, from here and in the view that the scene begins with: what folds is not drawn larger.
  * @param {Framed} scene
  * @param {Camera} camera
  * @param {Gaze} gaze
@@ -100,15 +100,16 @@ function fitted(scene, camera, gaze, size, extents, home) {
   const free = size.map((side) =>
     Math.max(side / 2, side - 2 * clip(MARGINS * side, NARROW, WIDE)));
   const first = spans(gazeOf(scene, { ...camera, azimuth, elevation }, gaze.middle), home);
-  const soft = SOFT * radius / Math.min(...free), ball = LEAST_BALL * radius / Math.min(...free);
-  const least = Math.max(ball, ...lengthsPerPixel(first, free));
+  const now = spans(gaze, home), smallest = Math.min(...free), soft = SOFT * radius / smallest;
+  const least = Math.max(LEAST_BALL * radius / smallest,
+                         ...[first, now].flatMap((box) => lengthsPerPixel(box, free)));
   const needed = (/** @type {Span[]} */ box) => {
     const [wide, high] = lengthsPerPixel(box, free);
     return smoothMax(smoothMax(wide, high, soft), least, soft);
   };
-  const [box, homely] = [extents, home].map((balls) => widened(spans(gaze, balls), radius));
+  const box = widened(spans(gaze, extents), radius);
   const need = needed(box), [right, up] = box.map(([low, high]) => (low + high) / (2 * need));
-  return { scale: camera.zoom / need, shrunk: needed(homely) / need,
+  return { scale: camera.zoom / need, shrunk: needed(widened(now, radius)) / need,
            heart: [size[0] / 2 - camera.zoom * right, size[1] / 2 + camera.zoom * up] };
 }
 
@@ -124,12 +125,10 @@ const lengthsPerPixel = (box, free) => box.map(([low, high], k) => (high - low) 
 function spans(gaze, balls) {
   const box = [[0, 0], [0, 0]];
   for (const [middle, radius] of balls) {
-    const d = minus(middle, gaze.middle), front = ahead(gaze, d), r = gaze.closer * radius;
-    [gaze.right, gaze.up].forEach((axis, k) => {    // the viewer's rays that touch the ball
-      const x = dot(d, axis), deep = front * front - r * r;
-      const half = radius * Math.sqrt((gaze.closer * x) ** 2 + deep);
-      box[k][0] = Math.min(box[k][0], (x * front - half) / deep);
-      box[k][1] = Math.max(box[k][1], (x * front + half) / deep);
+    const d = minus(middle, gaze.middle), f = 1 / ahead(gaze, d);
+    [gaze.right, gaze.up].forEach((axis, k) => {
+      box[k][0] = Math.min(box[k][0], f * (dot(d, axis) - radius));
+      box[k][1] = Math.max(box[k][1], f * (dot(d, axis) + radius));
     });
   }
   return box;

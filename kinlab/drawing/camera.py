@@ -61,10 +61,8 @@ class _Gaze:
             return np.zeros((2, 2))
         points, radii = zip(*balls)
         d, radius = np.array(points) - self.middle, np.array(radii)[:, None]
-        front, x = self.ahead(d)[:, None], d @ self.axes[:2].T
-        deep = front**2 - (self.closer * radius) ** 2
-        half = radius * np.sqrt((self.closer * x) ** 2 + deep)  # rays that touch the ball
-        low, high = (x * front - half) / deep, (x * front + half) / deep
+        x, f = d @ self.axes[:2].T, 1 / self.ahead(d)[:, None]
+        low, high = f * (x - radius), f * (x + radius)
         return np.stack([np.minimum(0, low.min(axis=0)), np.maximum(0, high.max(axis=0))], axis=1)
 
 
@@ -139,24 +137,26 @@ def _fitted(scene: Scene, fit: Fit, camera: Camera, gaze: _Gaze, size: Sequence[
             extents: Extents, home: Extents) -> tuple[float, float, np.ndarray]:
     """The balls fill the picture, and none leaves it.
 
-    What they need is joined smoothly with what home needs in the view that the scene begins with:
-    whatever folds is not drawn larger.
+    What they need is joined smoothly with what home needs, from here and in the view that the
+    scene begins with: what folds is not drawn larger.
     """
     sides, radius = np.array(size), fit.radius
     free = np.maximum(sides / 2, sides - 2 * np.clip(_ROOM * sides, _LEAST, _MOST))
     azimuth, elevation = scene.presets[scene.seen_from]
     first = _gaze(scene, replace(camera, azimuth=azimuth, elevation=elevation), gaze.middle)
+    here, there = gaze.spans(home), first.spans(home)
     soft = _SOFT * radius / np.min(free)
-    least = max(_BALL * radius / np.min(free), *_lengths_per_pixel(first.spans(home), free))
+    least = max(_BALL * radius / np.min(free), *_lengths_per_pixel(here, free),
+                *_lengths_per_pixel(there, free))
 
     def needed(box: np.ndarray) -> float:
         wide, high = _lengths_per_pixel(box, free)
         return _smooth_max(_smooth_max(wide, high, soft), least, soft)
 
-    box, homely = (_widened(gaze.spans(balls), radius) for balls in (extents, home))
+    box = _widened(gaze.spans(extents), radius)
     need = needed(box)
     off = camera.zoom * box.mean(axis=1) / need * [-1, 1]
-    return float(camera.zoom / need), float(needed(homely) / need), sides / 2 + off
+    return float(camera.zoom / need), float(needed(_widened(here, radius)) / need), sides / 2 + off
 
 
 def _lengths_per_pixel(box: np.ndarray, free: np.ndarray) -> np.ndarray:

@@ -10,6 +10,7 @@ import sys
 from pathlib import Path
 
 import numpy as np
+from camera_fixtures import framings, orders
 from ground_fixtures import floor, labels
 
 import kinlab as kl
@@ -191,8 +192,8 @@ def _plain(face: Face) -> dict:
     return data | {"points": np.round(face.points, 9).tolist()}
 
 
-FIXTURES = {"frames": frames, "numbers": numbers, "solids": solids,
-            "labels": labels, "floor": floor}
+FIXTURES = {"frames": frames, "numbers": numbers, "solids": solids, "labels": labels,
+            "floor": floor, "camera": framings, "order": orders}
 
 
 def path(name: str) -> Path:
