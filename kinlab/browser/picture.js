@@ -16,6 +16,7 @@ import { norm, minus } from "./vectors.js";
 
 const TRACE_LENGTH = 4000, TRACE_STEP = 0.2;        // points; px
 const LABEL_STEPS = 3;                              // towards its place, in each picture
+const UNFRAMED = ["axes", "ghost", "trace"];        // layers that may leave the picture
 const SOLID_SHAPES = ["tube", "ball", "box"], WORD_SHAPES = ["text", "name"];
 const PAPER = { azimuth: -90, elevation: 90, zoom: 1 };   // x to the right, y up
 
@@ -133,18 +134,21 @@ export class Picture {
   }
 
   /**
-   * Balls that have to be seen when the frames are these: the ends of solids, and feet.
+   * Balls that have to be seen when the frames are these: the ends of solids, what is drawn beside
+   * the arm, and feet.
    * @param {Frame[]} at
    * @returns {[Triple, number][]}
    */
   extents(at) {
     const { floor } = this.scene;
     const bodies = this.solids.flatMap((solid) => solid.balls(at));
+    const beside = this.strokes.filter(({ item }) => !item.paper && !UNFRAMED.includes(item.layer))
+      .flatMap((stroke) => stroke.places(at).map((point) => [point, 0]));
     const feet = (floor?.drops ?? []).flatMap((k) => {
       const [x, y, z] = at[k][3];
       return [[[x, y, z], 0], [[x, y, floor?.height ?? 0], 0]];
     });
-    return /** @type {[Triple, number][]} */ ([...bodies, ...feet]);
+    return /** @type {[Triple, number][]} */ ([...bodies, ...beside, ...feet]);
   }
 
   /**

@@ -43,6 +43,8 @@ _HEAD = 9.0                     # px: of an arrow
 _LEAST_CUT = 0.02               # of a tube: shorter ends are not cut off at the floor
 _TOUCH = 0.05                   # of a joint's radius: what is sunk by less lies on the floor
 _PANE = 0.7                     # how much of what lies beyond the floor is covered
+_STROKES = (LINE, ARROW, FACE, HULL, TRACE)
+_UNFRAMED = ("axes", "ghost", "trace")  # layers that may leave the picture
 _GRID, _SHADE = "#c3ccd5", "#1d2a38"
 
 Segment = tuple[np.ndarray, np.ndarray]
@@ -130,7 +132,7 @@ class _Still:
         pieces = [self._lit(piece) for item in self._of(SOLIDS) for piece in self._pieces(item)]
         sunk, standing = self._ordered(pieces)
         drops = [self._drop(k) for k in self.floor.drops] if self.floor else []
-        strokes = self._of((LINE, ARROW, FACE, HULL, TRACE))
+        strokes = self._of(_STROKES)
         under, over = ([item for item in strokes if (item.body >= 0) is above]
                        for above in (False, True))
         return [*sunk, *self._ground(pieces, drops, bool(sunk)), *map(self._stroke, under),
@@ -148,7 +150,7 @@ class _Still:
         return np.einsum("kij,kj->ki", frames[index][:, :3], local)
 
     def _extents(self, frames: np.ndarray) -> Extents:
-        """Balls that have to be seen: the ends of solids, and feet."""
+        """Balls that have to be seen: ends of solids, what is drawn beside the arm, and feet."""
         floor = self.scene.floor
         balls: list[tuple[Numbers, float]] = []
         for item in self.scene.items:
@@ -157,6 +159,8 @@ class _Still:
                 radii = item.size if item.shape != BOX else (
                     float(np.linalg.norm(ends[2] - ends[0])),) * 2
                 balls += zip(ends, radii)
+            elif item.shape in _STROKES and not item.paper and item.layer not in _UNFRAMED:
+                balls += ((point, 0.0) for point in self._room(item, frames))
         for k in floor.drops if floor else ():
             assert floor
             x, y, z = frames[k][:3, 3]
