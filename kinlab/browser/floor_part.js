@@ -1,11 +1,11 @@
 // The floor in an SVG picture: what floor.js says stands on it.
 
-import { FADE, boxOf, drop, giveWay, ground, shadow } from "./floor.js";
+import { FADE, drop, giveWay, ground, shadow } from "./floor.js";
 import { drawn, polygon, polyline, put, px, reveal } from "./svg.js";
 
 /** @import { Body } from "./order.js" */
 /** @import { Ground, RulerNumber, Words as FloorWords } from "./floor.js" */
-/** @import { Box, Placed } from "./labels.js" */
+/** @import { Box, Label, Placed } from "./labels.js" */
 /** @import { Floor, Frame, Lens, Shape, Triple } from "./types.js" */
 /** @typedef {{ body: Body, group: SVGGElement }} Dropped */
 /** @typedef {{ shape: Shape, ends: Triple[], size: number[] }} Shading */
@@ -47,10 +47,13 @@ export class FloorPart {
   on = true;
 
   /**
-   * What words in the picture keep off.
-   * @type {Box[]}
+   * Coordinates of feet and heights, which make room as all words do.
+   * @type {Label[]}
    */
-  boxes = [];
+  labels = [];
+
+  /** @type {FloorWords[]} */
+  coordinates = [];
 
   /** @type {RulerNumber[]} */
   numbers = [];
@@ -134,18 +137,31 @@ export class FloorPart {
     this.guides.show(drops.flatMap(({ guides }) => guides), (node, line) =>
       put(node, "d", polyline(line)));
     this.feet.show(drops, (node, { foot }) => put(node, "d", polygon(foot)));
-    const texts = drops.flatMap((one) => one.texts);
-    this.boxes = texts.map(boxOf);
-    this.texts.show(texts, writeAt);
+    const states = this.labels.map(({ state }) => state);
+    this.coordinates = drops.flatMap(({ texts }) => texts);
+    this.labels = this.coordinates.map(({ place, w, h }, k) =>
+      ({ anchor: place, from: null, w, h, state: states[k] }));
   }
+
+  /** @param {(Placed | null)[]} places of the labels */
+  writeCoordinates(places) {
+    places.forEach((spot, k) => { this.labels[k].state = spot?.state; });
+    const shown = this.coordinates.flatMap((words, k) => {
+      const spot = places[k];
+      return spot ? [{ ...words, place: [spot.x, spot.y] }] : [];
+    });
+    this.texts.show(shown, writeAt);
+  }
+
+  /** Let the labels find their places anew. */
+  settle() { this.labels = []; }
 
   /**
    * Show the numbers on the rulers that no other words cover.
-   * @param {(Box | null)[]} words
+   * @param {Box[]} words
    */
   giveWay(words) {
-    const taken = [...this.boxes, ...words.filter((box) => box != null)];
-    this.numerals.show(giveWay(this.numbers, taken), (node, one) => {
+    this.numerals.show(giveWay(this.numbers, words), (node, one) => {
       writeAt(node, one);
       put(node, "class", `kl-number-${one.axis}`);
       put(node, "opacity", one.opacity.toFixed(2));

@@ -93,6 +93,7 @@ export class Picture {
     this.size = [width, height];
     this.svg.setAttribute("viewBox", `0 0 ${width} ${height}`);
     for (const words of this.words) words.state = null;
+    this.floor?.settle();
   }
 
   /**
@@ -230,13 +231,15 @@ export class Picture {
     const { at, size, lens: seen, floor } = this;
     if (!seen) return;
     const shown = this.words.filter(({ on }) => on);
-    const labels = shown.map((words) => words.locate(at, seen, size));
+    const labels = [...shown.map((words) => words.locate(at, seen, size)), ...floor?.labels ?? []];
     const strokes = [...this.axes, ...this.strokes].filter(({ on }) => on)
       .flatMap(({ stroke }) => stroke ?? []);
     const solids = this.solids.flatMap((solid) => solid.bars(seen));
-    const { places, restless } = place(labels, strokes, solids, floor?.boxes ?? [], size, steps);
+    const { places, restless } = place(labels, strokes, solids, [], size, steps);
     shown.forEach((words, k) => words.draw(places[k]));
-    floor?.giveWay(places.map((spot, k) => spot && [spot.x, spot.y, ...shown[k].box]));
+    floor?.writeCoordinates(places.slice(shown.length));
+    floor?.giveWay(places.flatMap((spot, k) =>
+      spot ? [[spot.x, spot.y, labels[k].w, labels[k].h]] : []));
     this.restless = restless;
   }
 

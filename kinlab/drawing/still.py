@@ -292,21 +292,22 @@ class _Still:
         return sorted(items, key=lambda item: float(np.mean(depths[item.body])))
 
     def _words(self, pieces: list[_Piece], drops: list[Drop]) -> Iterator[Drawn]:
-        """Names where they have room, then coordinates, then the numbers on the rulers."""
+        """Names and coordinates where they have room, then the numbers on the rulers."""
         items = self._of([TEXT, NAME])
-        texts = [words for one in drops for words in one.texts]
-        taken = [words.box for words in texts]
-        places, _ = place([self._label(item) for item in items], self._strokes(),
-                          [self._bar(piece.body) for piece in pieces if piece.faces], taken,
+        coordinates = [words for one in drops for words in one.texts]
+        labels = [*map(self._label, items),
+                  *(Label(words.place, None, words.w, words.h) for words in coordinates)]
+        places, _ = place(labels, self._strokes(),
+                          [self._bar(piece.body) for piece in pieces if piece.faces], [],
                           self.size)
         for item, spot in zip(items, places):
             if spot:
-                taken.append((spot.x, spot.y, *text_size(item.text)))
                 yield Drawn(item.gid, _lettering(item, spot.leader, (spot.x, spot.y)), item)
-        ink: Paint = {"fill": INK}
-        if texts:
-            yield Drawn("coordinates", [_text(words.text, words.place, ink) for words in texts])
-        yield from self._numbers(taken)
+        yield Drawn("coordinates", [
+            _text(words.text, (spot.x, spot.y), {"fill": INK})
+            for words, spot in zip(coordinates, places[len(items):]) if spot])
+        yield from self._numbers([(spot.x, spot.y, label.w, label.h)
+                                  for label, spot in zip(labels, places) if spot])
 
     def _numbers(self, taken: list) -> Iterator[Drawn]:
         if not self.floor:
