@@ -332,7 +332,8 @@ function placed({ label, spot, x, y, w, h }, age) {
  * @type {(anchor: Px, dx: number, dy: number, across: number, up: number) => Px[] | null}
  */
 function leader([x, y], dx, dy, across, up) {
-  const out = Math.max(Math.abs(dx) / across, Math.abs(dy) / up), d = Math.hypot(dx, dy);
+  const out = Math.max(Math.abs(dx) / (across || TINY), Math.abs(dy) / (up || TINY));
+  const d = Math.hypot(dx, dy);
   const gap = out > 1 ? d * (1 - 1 / out) : 0;
   if (gap <= LEADER_GAP) return null;
   const [start, end] = [2 / d, 1 - 1 / out];

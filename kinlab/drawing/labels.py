@@ -339,7 +339,8 @@ def _placed(crowd: _Crowd, one: int, age: int) -> Placed:
 
 def _leader(label: Label, dx: float, dy: float) -> tuple[Px, Px] | None:
     """The line from an anchor to the rim of words that stand far from it."""
-    (x, y), out = label.anchor, max(2 * abs(dx) / label.w, 2 * abs(dy) / label.h)
+    wide, high = max(label.w, _TINY), max(label.h, _TINY)
+    (x, y), out = label.anchor, max(2 * abs(dx) / wide, 2 * abs(dy) / high)
     d = float(np.hypot(dx, dy))
     if out <= 1 or d * (1 - 1 / out) <= _LEADER_GAP:
         return None

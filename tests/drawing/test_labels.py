@@ -7,7 +7,7 @@ from ground_fixtures import crowded
 
 import kinlab as kl
 from kinlab.drawing.camera import Camera
-from kinlab.drawing.labels import Bar, Label, place, text_size
+from kinlab.drawing.labels import Bar, Label, LabelState, place, text_size
 
 SIZE = (580.0, 520.0)
 ARMS = [kl.robots.two_link, kl.robots.practical_six_link, kl.robots.cylindrical,
@@ -122,6 +122,12 @@ def test_a_leader_ends_at_the_words():
     assert abs(one.y - 200) >= 30 + 7
 
 
+def test_a_label_without_words_is_no_trouble():
+    (one,), _ = place([Label((300, 200), None, *text_size(""))], [], [], [], SIZE)
+    assert (one.x, one.y, one.leader) == (300, 200, None)
+    assert place([], [], [], [], SIZE) == ([], False)
+
+
 def test_nothing_jumps_while_an_arm_moves_and_all_comes_to_rest():
     arm, rng = kl.robots.practical_six_link(), np.random.default_rng(3)
     start, end = some_pose(arm, rng), some_pose(arm, rng)
@@ -152,11 +158,12 @@ def test_a_new_label_does_not_move_the_others_by_more_than_a_step():
 
 
 def test_a_label_comes_back_when_its_usual_spot_is_free():
-    box, label = (300.0, 200.0, 120.0, 90.0), words((300, 200), w=20)
+    stood = LabelState(0.0, 45.0, 19, 5, (300.0, 200.0))   # two rings out, below its anchor
+    label, box = replace(words((300.0, 200.0), w=20), state=stood), (300.0, 200.0, 20.0, 20.0)
     away, _ = rested([label], [], [], [box], SIZE)
-    assert abs(away[0].y - 200) > 45 or abs(away[0].x - 300) > 60
+    assert (away[0].x, away[0].y, away[0].state.spot) == pytest.approx((300, 229, 19), abs=0.5)
     back, _ = rested(carried([label], away), [], [], [], SIZE)
-    assert (back[0].x, back[0].y) == pytest.approx((300, 200), abs=1)
+    assert (back[0].x, back[0].y, back[0].state.spot) == pytest.approx((300, 200, 0), abs=0.5)
 
 
 @pytest.mark.parametrize("size", [(340, 330), (390, 380), (580, 520), (1280, 700), (1900, 950)])

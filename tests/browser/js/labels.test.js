@@ -103,6 +103,16 @@ test("a label that is left behind follows by 2 px a step, and comes to rest", ()
   near(one.y, 160, "below it", 0.5);
 });
 
+test("a label comes back when its usual spot is free", () => {
+  let state = { x: 0, y: 45, spot: 19, age: 5, anchor: [300, 200] }, restless = true, one;
+  for (let k = 0; k < 90 && restless; k++) {
+    ({ places: [one], restless } = place([{ ...words([300, 200]), state }], [], [], [], SIZE));
+    ({ state } = one);
+  }
+  assert.equal(state.spot, 0);
+  near(one.y, 200, "at its anchor", 0.5);
+});
+
 test("nothing is changed but what is given back", () => {
   const [{ labels, crowd, fixed }] = crowds.wrist.pictures;
   const asked = labels.map(([anchor, from, w, h]) => Object.freeze({ anchor, from, w, h }));
