@@ -41,6 +41,8 @@ class View {
 
   pending = 0;
 
+  settling = 0;
+
   heard = 0;
 
   silence = () => {};
@@ -187,8 +189,19 @@ class View {
     lines.update(all, q);
     if (this.chase) write(this.error, missed(/** @type {TargetScene} */ (scene), all, this.solved));
     this.note(this.said);
+    this.settle();
     clearTimeout(this.heard);
     this.heard = setTimeout(() => this.describe(), HEARD);
+  }
+
+  /** Let the names in the picture go on to their places, when nothing else moves any more. */
+  settle() {
+    cancelAnimationFrame(this.settling);
+    if (!this.picture.restless) return;
+    this.settling = requestAnimationFrame(() => {
+      if (!this.pending) this.picture.placeWords();
+      this.settle();
+    });
   }
 
   /** @param {string} text */
@@ -210,6 +223,7 @@ class View {
     this.silence();
     this.release();
     cancelAnimationFrame(this.pending);
+    cancelAnimationFrame(this.settling);
     clearTimeout(this.heard);
     for (const part of [...this.element.children]) {
       if (part !== this.controls.node) part.remove();

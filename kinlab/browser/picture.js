@@ -169,7 +169,7 @@ export class Picture {
     const { shading, sunk } = this.drawBodies(seen);
     this.floor?.draw(seen, at, shading, sunk, size);
     this.stackStrokes();
-    this.placeWords(LABEL_STEPS);
+    this.placeWords();
     return at;
   }
 
@@ -223,11 +223,8 @@ export class Picture {
     arrange(this.layers.over, over.sort((a, b) => far(a) - far(b)).map(({ group }) => group));
   }
 
-  /**
-   * Bring the words so many steps nearer to where they want to stand.
-   * @param {number} steps
-   */
-  placeWords(steps) {
+  /** Bring the words nearer to where they want to stand. */
+  placeWords() {
     const { at, size, lens: seen, floor } = this;
     if (!seen) return;
     const shown = this.words.filter(({ on }) => on);
@@ -235,7 +232,7 @@ export class Picture {
     const strokes = [...this.axes, ...this.strokes].filter(({ on }) => on)
       .flatMap(({ stroke }) => stroke ?? []);
     const solids = this.solids.flatMap((solid) => solid.bars(seen));
-    const { places, restless } = place(labels, strokes, solids, [], size, steps);
+    const { places, restless } = place(labels, strokes, solids, [], size, LABEL_STEPS);
     shown.forEach((words, k) => words.draw(places[k]));
     floor?.writeCoordinates(places.slice(shown.length));
     floor?.giveWay(places.flatMap((spot, k) =>
