@@ -69,8 +69,8 @@ export interface Floor {
   decimals: number;
 }
 
-/** A ball round the arm at home, and the radius of its joints. */
-export interface Fit { middle: Triple; radius: number; thick: number }
+/** A ball round the arm at home, the radius of its joints, and what has to be seen besides. */
+export interface Fit { middle: Triple; radius: number; thick: number; points: Point[] }
 
 /**
  * How a style is painted: attributes of SVG; a solid's ramps go from shade by a middle to light.
@@ -82,6 +82,8 @@ export interface Paint extends Record<string, unknown> {
   ramp?: string[];
   hub?: string[];
   cap?: boolean;
+  /** Whether it always steps back into the paper. */
+  faded?: boolean;
 }
 
 export interface Vector {

@@ -211,12 +211,13 @@ class Fit:
     """The picture follows the solids: at home they fill it, and no pose leaves it.
 
     `middle` and `radius` are those of a ball round the arm at home, `thick` the radius of its
-    joints.
+    joints. The `points` stay in the picture as well.
     """
 
     middle: tuple[float, float, float]
     radius: float
     thick: float
+    points: tuple[Point, ...] = ()
 
 
 @dataclass(frozen=True)
