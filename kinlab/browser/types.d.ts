@@ -69,8 +69,8 @@ export interface Floor {
   decimals: number;
 }
 
-/** A ball round the arm at home, the radius of its joints, and what has to be seen besides. */
-export interface Fit { middle: Triple; radius: number; thick: number; points: Point[] }
+/** A ball round the arm at home, and the radius of its joints. */
+export interface Fit { middle: Triple; radius: number; thick: number }
 
 /**
  * How a style is painted: attributes of SVG; a solid's ramps go from shade by a middle to light.

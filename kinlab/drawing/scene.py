@@ -211,13 +211,12 @@ class Fit:
     """The picture follows the solids: at home they fill it, and no pose leaves it.
 
     `middle` and `radius` are those of a ball round the arm at home, `thick` the radius of its
-    joints. The `points` stay in the picture as well.
+    joints.
     """
 
     middle: tuple[float, float, float]
     radius: float
     thick: float
-    points: tuple[Point, ...] = ()
 
 
 @dataclass(frozen=True)

@@ -49,7 +49,6 @@ from .scene import (
 
 _AXES = np.eye(3)
 _THICK = 0.034              # radius of a joint, as a part of the sketch's
-_THIN_LINES = ("mesh", "axis")
 _HALF, _BASE = 1.02, 0.32   # half height of a joint and height of a base, in radii of a joint
 _THIN, _TAPER = 0.7, 0.56   # radii of a link's two ends, the same,
 _SKIN = 0.93                # and how far from the middle of a joint it begins
@@ -128,11 +127,6 @@ class Sketch:
         self.floor, self.fit = scene.floor, scene.fit
         self.poses = [list(pose) for pose in scene.poses]
         self.lay(filter(keep, scene.items))
-
-    def hold(self, *points: Point) -> None:
-        """Where the picture follows an arm, keep these points in it as well."""
-        if self.fit is not None:
-            self.fit = replace(self.fit, points=(*self.fit.points, *points))
 
     def drop(self, *frames: int) -> None:
         """Lines from the origins of frames to the ground, with their coordinates."""
@@ -303,16 +297,12 @@ class Sketch:
 
     def _fitting(self, scene: Scene) -> Fit:
         """A frame round all that is drawn, words aside, as large as that is at home."""
-        points = tuple(dict.fromkeys(
-            point for item in self.items
-            if item.shape in (ARROW, AXIS, LINE, *SOLIDS) and item.style not in _THIN_LINES
-            for point in (item.points[0], *item.points[4::4], item.points[-1])
-            if item.shape != AXIS or point == item.points[0]))
         frames = scene.frames(scene.begin)
-        places = np.array([frames[int(k)] @ (*place, 1) for k, *place in points])[:, :3]
+        places = np.array([(frames[int(k)] @ (*place, 1))[:3] for item in self.items
+                           if item.shape in (ARROW, LINE, *SOLIDS) for k, *place in item.points])
         low, high = places.min(axis=0), places.max(axis=0)
         middle = tuple(((low + high) / 2).tolist())
-        return Fit(middle, float(np.linalg.norm(high - low)) / 2, self.thick, points)
+        return Fit(middle, float(np.linalg.norm(high - low)) / 2, self.thick)
 
     def _step(self, frame: int) -> Step:
         """The elementary motion that leads to a frame."""

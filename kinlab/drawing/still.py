@@ -169,8 +169,7 @@ class _Still:
             assert floor
             x, y, z = frames[k][:3, 3]
             balls += [((x, y, z), 0.0), ((x, y, floor.height), 0.0)]
-        points = self.scene.fit.points if self.scene.fit else ()
-        return balls + [((frames[int(k)] @ (*place, 1.0))[:3], 0.0) for k, *place in points]
+        return balls
 
     # ---- solids, axes, drop lines ----
 

@@ -28,7 +28,6 @@ def reach_view() -> LiveView:
     sketch.bare()
     tip, (target,) = origin_of(sketch.tip), at(0, (*TARGET, 0))
     ring = 0.1 * circle(33) + [*TARGET, 0]
-    sketch.hold(*at(0, *ring[::8]))
     sketch.add("target", LINE, "target", at(0, *ring), lift=sketch.radius)
     sketch.label("target", at(0, (*(TARGET + [0.07, 0.07]), 0), (*TARGET, 0)), "target")
     sketch.add("gap", LINE, "miss", (tip, target), lift=sketch.radius)

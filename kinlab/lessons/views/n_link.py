@@ -42,9 +42,7 @@ def misread(arm: Arm, q: Any = None) -> LiveView:
     sketch = _over(arm, f"{arm.name}, its table read in both conventions", q)
     right = sketch.tip
     tip = _branch(sketch, wrong)[-1]
-    way = [origin_of(frame) for frame in (0, *range(right + 1, tip + 1))]
-    sketch.line("misread", way, "trace")
-    sketch.hold(*way)
+    sketch.line("misread", map(origin_of, (0, *range(right + 1, tip + 1))), "trace")
     sketch.point("p′", tip, (0, 0, 0))
     for prime, frame, convention in (("", right, arm.convention), ("′", tip, other)):
         sketch.reading(f"p{prime}", f"{convention}: p{prime} = {{}} {arm.unit}",
