@@ -1,8 +1,9 @@
 """The JavaScript's modules joined into one text, for a widget and for a page of its own.
 
 anywidget takes one module, and browsers load no modules from a disk. So the modules that an entry
-imports are put before it, each after those it needs itself; all then share one scope. Comments
-in ``/** */``, which are for whoever reads or checks the source, stay behind.
+imports are put before it, each after those it needs itself; all then share one scope. What is
+for whoever reads or checks the source stays behind: comments on lines of their own, and the
+spaces before a line. So no text in backquotes may run over lines.
 """
 from __future__ import annotations
 
@@ -14,7 +15,7 @@ HERE = Path(__file__).parent
 _DARK = re.compile(r"\[data-jp-theme-light=\"false\"] (:is\(.*?\n\})", re.DOTALL)
 _IMPORT = re.compile(r'^import \{([^}]*)\} from "\./([\w.]+)";\n', re.MULTILINE)
 _EXPORT = re.compile(r"^export (?!default\b)", re.MULTILINE)
-_DOCS = re.compile(r"^ */\*\*.*?\*/\n", re.MULTILINE | re.DOTALL)
+_DOCS = re.compile(r"^ */\*\*.*?\*/\n|^ *//[^\n]*\n|^\n|^ +", re.MULTILINE | re.DOTALL)
 # The names that a line at the margin defines: "const A = 1, B = 2;" defines two.
 _NAMES = re.compile(r"^(export )?(?:(?:async )?function\*?|class|const|let) "
                     r"((?:\w+ = [^,;({[]+, )*\w+)", re.MULTILINE)

@@ -1,10 +1,6 @@
 // Elements of a page, buttons, and numbers as print has them.
 
 /** @typedef {(pressed: HTMLButtonElement) => void} Action */
-/**
- * @typedef {[text: string, title: string, action: Action, attributes?: Record<string, unknown>]}
- *   Button
- */
 
 /**
  * An element with attributes, those that are absent or false left out, and children.
@@ -37,15 +33,12 @@ export function button(text, title, action, attributes = {}) {
 }
 
 /**
- * Groups of buttons: of each its label, then its buttons.
- * @param {[label: string, ...buttons: Button[]][]} groups
+ * Buttons that belong together.
+ * @param {string} label
+ * @param {Node[]} buttons
  */
-export function toolbar(groups) {
-  return make("div", { class: "kl-toolbar", role: "toolbar", "aria-label": "View" },
-    ...groups.map(([label, ...buttons]) =>
-      make("span", { class: "kl-group", role: "group", "aria-label": label },
-        ...buttons.map((parts) => button(...parts)))));
-}
+export const group = (label, ...buttons) =>
+  make("span", { class: "kl-group", role: "group", "aria-label": label }, ...buttons);
 
 /**
  * Set an element's text, if it is another: a page need not be laid out for what it shows.
@@ -71,3 +64,10 @@ export function number(value, decimals) {
   const text = value.toFixed(decimals);
   return Number(text) === 0 ? (0).toFixed(decimals) : text.replace("-", "\u2212");
 }
+
+/**
+ * Digits, and the tool's E, as an index: what subscript in kinlab/drawing/controls.py does.
+ * @param {string | number} name
+ */
+export const lowered = (name) => String(name).replace(/\d/g, (digit) => "₀₁₂₃₄₅₆₇₈₉"[Number(digit)])
+  .replaceAll("E", "ₑ");

@@ -1,7 +1,7 @@
 // Ties live views (mount.js) to a plain page, whose address can hold the values of their knobs.
 
 import { mount } from "./mount.js";
-import { tidy, toolbar } from "./dom.js";
+import { button, group, tidy } from "./dom.js";
 import { clip } from "./steps.js";
 
 /** @import { Joints, Knob, Live } from "./types.js" */
@@ -97,11 +97,12 @@ function start(view) {
   const joints = pageJoints(q), knobs = scene.knobs;
   view.replaceChildren();
   const live = mount(view, scene, joints, formula);
+  const opening = document.querySelectorAll(".kl-page > .kl-opening > *");
+  view.querySelector(".kl-head")?.prepend(...opening);
   if (!("address" in view.dataset)) return;
   followAddress(knobs, joints, live);
-  const share = toolbar([["Share", ["Copy link", "Copy a link to this pose",
-    () => copyLink(knobs, joints, live)]]]);
-  view.querySelector(".kl-toolbar")?.append(...share.children);
+  view.querySelector(".kl-more")?.append(group("Share",
+    button("Copy link", "Copy a link to this pose", () => copyLink(knobs, joints, live))));
 }
 
 /** @type {NodeListOf<HTMLElement>} */

@@ -2,17 +2,20 @@
 // (kinlab/drawing/scene.py) and the joints to read, write and listen to. widget.js ties it to a
 // widget's traits, host_page.js to the address of a plain page.
 
+import { Bar } from "./bar.js";
 import { follower } from "./chase.js";
 import { Controls } from "./controls.js";
-import { make, toolbar, write } from "./dom.js";
-import { seenFrom } from "./frames.js";
+import { make, write } from "./dom.js";
+import { inRoom, seenFrom } from "./frames.js";
 import { missed, poseTable, readingLines } from "./panels.js";
 import { Picture } from "./picture.js";
+import { Plan } from "./plan.js";
 import { Mover } from "./player.js";
 import { grasp, orbit } from "./pointer.js";
+import { Walk, stages } from "./stages.js";
+import { minus } from "./vectors.js";
 
-/** @import { Button } from "./dom.js" */
-/** @import { Joints, Knob, Live, Looks, Scene, Solved, TargetScene } from "./types.js" */
+/** @import { Joints, Knob, Lens, Live, Looks, Scene, Solved, TargetScene } from "./types.js" */
 
 const MOVE = 700, TOUR = 900;                       // ms from pose to pose
 const HEARD = 400;                                  // ms: a screen reader need not hear every step
@@ -30,8 +33,24 @@ function limits(knobs, q) {
   }).join("; ");
 }
 
-/** @type {(name: string) => string} */
-const capital = (name) => name[0].toUpperCase() + name.slice(1);
+/**
+ * What to say of a picture that was made smaller for an arm that reaches far.
+ * @param {Lens | null} lens
+ */
+const drawnAt = (lens) =>
+  lens && lens.shrunk < 0.975 ? `drawn at ${Math.round(100 * lens.shrunk)} %` : "";
+
+/**
+ * The camera that looks along a direction of the room, so that it points at the viewer; upright
+ * directions are seen as from the top.
+ * @param {number[]} direction
+ * @returns {[azimuth: number, elevation: number]}
+ */
+export function lookAlong([x, y, z]) {
+  const flat = Math.hypot(x, y), degrees = 180 / Math.PI;
+  const upright = flat < 1e-9 * Math.abs(z);
+  return [upright ? -90 : Math.atan2(y, x) * degrees, Math.atan2(z, flat) * degrees];
+}
 
 class View {
   said = "";
@@ -54,19 +73,22 @@ class View {
    * @param {Scene} scene
    * @param {Joints} joints
    * @param {string} formula
-   * @param {Controls} controls
+   * @param {Looks | null} before how another scene was looked at in this place
    */
-  constructor(element, scene, joints, formula, controls) {
+  constructor(element, scene, joints, formula, before) {
     this.element = element;
-    this.controls = controls;
+    this.controls = before?.controls ?? new Controls();
+    this.plan = before?.plan ?? new Plan(this.controls.node);
     this.scene = scene;
     this.joints = joints;
     this.preset = scene.preset;
     this.picture = new Picture(scene);
+    this.shrunk = make("div", { class: "kl-shrunk", "aria-hidden": "true" });
     this.box = make("div", { class: "kl-picture", tabindex: "0", role: "application",
       "data-lm-suppress-shortcuts": "true",
+      "style": `--kl-aspect: ${scene.size.join(" / ")}`,
       "aria-label": `${scene.name}: picture of the arm. Arrow keys turn the view, ` +
-                    "plus and minus zoom, 0 resets." }, this.picture.svg);
+                    "plus and minus zoom, 0 resets." }, this.picture.svg, this.shrunk);
     this.pose = scene.pose && poseTable(scene.pose);
     this.lines = readingLines(scene);
     this.error = make("div", { class: "kl-number" });
@@ -76,7 +98,8 @@ class View {
     this.chase = scene.target && follower(/** @type {TargetScene} */ (scene), joints,
                                           (found) => { this.solved = found; });
     this.mover = new Mover(() => this.playing(false));
-    this.bar = toolbar(this.groups());
+    this.walk = new Walk(scene);
+    this.bar = new Bar(scene, this.acts(), this.walk.has);
   }
 
   /**
@@ -84,14 +107,15 @@ class View {
    * @param {Looks | null} before
    */
   show(before) {
-    const { element, box, picture, pose, lines, scene } = this;
+    const { element, box, picture, pose, lines, plan, scene } = this;
     if (this.chase) lines.node.append(this.error);
     element.classList.add("kl-view");
     element.classList.toggle("kl-wide", scene.wide);
-    if (!before) element.append(this.controls.node);
-    this.controls.node.before(this.bar, box);
-    this.controls.node.after(...(pose ? [pose.node] : []), lines.node, this.remark,
-                             ...(this.formula.innerHTML ? [this.formula] : []));
+    if (!before) element.append(plan.node);
+    write(plan.title, scene.name);
+    plan.put("stage", box, this.bar.node);
+    plan.put("side", pose?.node, lines.node, this.remark);
+    if (this.formula.innerHTML) plan.put("below", this.formula);
     this.controls.take(scene.knobs, this.joints, () => this.note(this.said));
     for (const { layer, on } of scene.layers) this.switch(layer, before?.shown[layer] ?? on);
     this.look(before?.began === scene.preset ? before.preset : scene.preset);
@@ -100,47 +124,54 @@ class View {
                          this.chase && grasp(picture, this.chase));
     this.silence = this.joints.listen(() => this.moved());
     this.draw();
+    this.sizes.observe(box);
   }
 
-  // ---- the toolbar ----
+  /** The picture is drawn anew for each size of its box, before that is painted. */
+  sizes = new ResizeObserver(() => {
+    const { clientWidth, clientHeight } = this.box;
+    if (!clientWidth || !clientHeight) return;      // taken out, or in a page that is not shown
+    this.picture.resize(clientWidth, clientHeight);
+    this.draw();
+  });
 
-  /** Groups of buttons that this scene has a use for. */
-  groups() {
-    const { scene, mover } = this, drive = this.chase?.drive ?? this.joints;
-    const go = (/** @type {number[]} */ to) => () => mover.start(drive, [to], MOVE);
-    /** @type {Button[]} */
-    const poses = scene.poses.length
-      ? [["Zero", "Set every joint to zero", go(scene.zero)],
-         ["▶ Play", "Move smoothly from pose to pose", () => this.play(), { "data-part": "play" }]]
-      : [];
-    /** @type {Button[]} */
-    const sides = Object.keys(scene.presets).map((name) =>
-      [capital(name), `View: ${name}`, () => this.look(name)]);
-    /** @type {Button[]} */
-    const layers = scene.layers.map(({ layer, label, title }) =>
-      [label, title, () => this.switch(layer, !this.shown()[layer]), { "data-layer": layer }]);
-    /** @type {Button[]} */
-    const screen = document.fullscreenEnabled
-      ? [["Full screen", "Fill the screen, with large type", () => this.fill()]] : [];
-    /** @type {[label: string, ...buttons: Button[]][]} */
-    const groups = [["Move", ["Home", "Move to where it began", go(scene.home)], ...poses],
-                    ["View", ...(sides.length > 1 ? sides : [])], ["Show", ...layers],
-                    ["Screen", ...screen]];
-    return groups.filter((group) => group.length > 1);
+  // ---- the buttons ----
+
+  /** @returns {import("./bar.js").Acts} */
+  acts() {
+    const { mover, picture } = this, drive = this.chase?.drive ?? this.joints;
+    return {
+      go: (q) => mover.start(drive, [q], MOVE),
+      play: () => this.play(),
+      step: (by) => mover.start(this.led, [this.walk.next(this.joints.read(), by)], MOVE),
+      look: (preset) => this.look(preset),
+      along: (frame, direction) => this.along(frame, direction),
+      show: (layer, on) => this.switch(layer, on),
+      showFrame: (frame, on) => {
+        picture.showFrame(frame, on);
+        this.redraw();
+      },
+      clear: () => {
+        picture.clear();
+        this.redraw();
+      },
+      perspective: (on) => {
+        picture.camera.perspective = on;
+        this.redraw();
+      },
+      fill: () => this.fill(),
+    };
   }
 
-  /** Which layers are switched on. */
-  shown() {
-    return Object.fromEntries([...this.bar.querySelectorAll("[data-layer]")].map((button) =>
-      [button.getAttribute("data-layer"), button.getAttribute("aria-pressed") === "true"]));
-  }
+  /** What Play and steps move: where there is a target, that leads. */
+  get led() { return this.chase?.lead ?? this.joints; }
 
   /**
    * @param {string} layer
    * @param {boolean} on
    */
   switch(layer, on) {
-    this.bar.querySelector(`[data-layer="${layer}"]`)?.setAttribute("aria-pressed", String(on));
+    this.bar.press(layer, on);
     this.picture.show(layer, on);
     this.redraw();
   }
@@ -152,18 +183,26 @@ class View {
     this.redraw();
   }
 
+  /**
+   * Look along an axis, which then points at the viewer.
+   * @param {number} frame
+   * @param {number[]} direction in that frame
+   */
+  along(frame, direction) {
+    const at = this.picture.at[frame];
+    const [azimuth, elevation] = lookAlong(minus(inRoom(at, direction), at[3]));
+    this.picture.camera = { ...this.picture.camera, azimuth, elevation };
+    this.redraw();
+  }
+
   play() {
     if (this.mover.request) return this.mover.stop();
-    this.mover.start(this.chase?.lead ?? this.joints, this.scene.poses, TOUR, true);
+    this.mover.start(this.led, stages(this.scene, this.joints.read()), TOUR, true);
     this.playing(true);
   }
 
   /** @param {boolean} on */
-  playing(on) {
-    const button = this.bar?.querySelector('[data-part="play"]');
-    button?.replaceChildren(on ? "Pause" : "▶ Play");
-    button?.setAttribute("aria-pressed", String(on));
-  }
+  playing(on) { this.bar?.playing(on); }
 
   fill() {
     if (document.fullscreenElement) document.exitFullscreen();
@@ -188,6 +227,7 @@ class View {
     pose?.update(seenFrom(all[scene.tip], all[scene.pose?.base ?? 0]));
     lines.update(all, q);
     if (this.chase) write(this.error, missed(/** @type {TargetScene} */ (scene), all, this.solved));
+    write(this.shrunk, drawnAt(this.picture.lens));
     this.note(this.said);
     this.settle();
     clearTimeout(this.heard);
@@ -225,11 +265,10 @@ class View {
     cancelAnimationFrame(this.pending);
     cancelAnimationFrame(this.settling);
     clearTimeout(this.heard);
-    for (const part of [...this.element.children]) {
-      if (part !== this.controls.node) part.remove();
-    }
+    this.sizes.disconnect();
+    this.plan.clear();
     return { began: this.scene.preset, preset: this.preset, camera: this.picture.camera,
-             shown: this.shown(), controls: this.controls };
+             shown: this.bar.shown(), controls: this.controls, plan: this.plan };
   }
 
   /** Take everything out of the page again. */
@@ -249,7 +288,7 @@ class View {
  * @returns {Live}
  */
 export function mount(element, scene, joints, formula = "", before = null) {
-  const view = new View(element, scene, joints, formula, before?.controls ?? new Controls());
+  const view = new View(element, scene, joints, formula, before);
   view.show(before);
   return view;
 }

@@ -18,6 +18,7 @@ const TRACE_LENGTH = 4000, TRACE_STEP = 0.2;        // points; px
 const LABEL_STEPS = 3;                              // towards its place, in each picture
 const UNFRAMED = ["axes", "ghost", "trace"];        // layers that may leave the picture
 const SOLID_SHAPES = ["tube", "ball", "box"], WORD_SHAPES = ["text", "name"];
+const FRAME_SHAPES = ["axis", ...WORD_SHAPES];
 const PAPER = { azimuth: -90, elevation: 90, zoom: 1 };   // x to the right, y up
 
 export class Picture {
@@ -38,6 +39,12 @@ export class Picture {
 
   /** @type {Lens | null} */
   lens = null;
+
+  /**
+   * Layers and frames that are switched off.
+   * @type {Set<string>}
+   */
+  off = new Set();
 
   restless = false;                                 // whether labels are still on their way
 
@@ -103,18 +110,26 @@ export class Picture {
   show(layer, visible) {
     if (layer === "trace") this.clear();
     if (layer === "floor") this.floor?.show(visible);
-    for (const part of this.parts) if (part.item.layer === layer) part.show(visible);
+    this.turn(`layer ${layer}`, visible);
   }
 
   /**
-   * One frame's axes and their names.
+   * One frame's axes and their names; their layers may hide them as well.
    * @param {string} name
    * @param {boolean} visible
    */
-  showFrame(name, visible) {
-    for (const part of [...this.axes, ...this.words]) {
-      if (part.item.frame === name) part.show(visible);
-    }
+  showFrame(name, visible) { this.turn(`frame ${name}`, visible); }
+
+  /**
+   * @param {string} what
+   * @param {boolean} on
+   */
+  turn(what, on) {
+    this.off[on ? "delete" : "add"](what);
+    const hidden = (/** @type {Whole} */ { shape, layer, frame }) =>
+      this.off.has(`layer ${layer}`) ||
+      (FRAME_SHAPES.includes(shape) && this.off.has(`frame ${frame}`));
+    for (const part of this.parts) part.show(!hidden(part.item));
   }
 
   /** Begin the trace anew. */

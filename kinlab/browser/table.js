@@ -2,8 +2,8 @@
 // browser tells it each edit and shows the state that comes back. What is being typed is never
 // touched.
 
-import { make, write } from "./dom.js";
-import { choose, lowered, press, typed } from "./table_parts.js";
+import { lowered, make, write } from "./dom.js";
+import { choose, press, typed } from "./table_parts.js";
 import { fill, store } from "./table_store.js";
 
 /** @import { Cell, Field, Model, Row, TableState } from "./types.js" */

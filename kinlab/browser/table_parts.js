@@ -8,13 +8,6 @@ import { button, make } from "./dom.js";
 const LONGEST = 200;                                // characters in a cell
 
 /**
- * A number in the digits of an index.
- * @type {(number: number) => string}
- */
-export const lowered = (number) =>
-  String(number).replace(/\d/g, (digit) => "₀₁₂₃₄₅₆₇₈₉"[Number(digit)]);
-
-/**
  * A list to choose from; `take` hears the choice.
  * @param {string} label
  * @param {string[][]} options the value and the words of each

@@ -82,8 +82,6 @@ export interface Paint extends Record<string, unknown> {
   ramp?: string[];
   hub?: string[];
   cap?: boolean;
-  /** Whether it always steps back into the paper. */
-  faded?: boolean;
 }
 
 export interface Vector {
@@ -119,6 +117,10 @@ export interface Knob {
   scale: number;
   step: number;
   digits: number;
+  /** Its whole numbers are stages: steps and Play go from one to the next. */
+  whole?: boolean;
+  /** What two knobs that are the two ends of one range share; the lower end comes first. */
+  pair?: string;
 }
 
 /** Whole steps between limits, in the slider's units. */
@@ -237,6 +239,7 @@ export interface Looks {
   camera: Camera;
   shown: Record<string, boolean>;
   controls: import("./controls.js").Controls;
+  plan: import("./plan.js").Plan;
 }
 
 /** A view that stands in a page. */

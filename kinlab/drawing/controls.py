@@ -22,6 +22,10 @@ class Knob:
 
     `low`, `high` and `home` are in the scene's units (rad or length). The slider shows them
     divided by `scale`, in `unit`, and an arrow key moves it by `step` of those.
+
+    The whole numbers of a `whole` knob are stages, from one to the next of which steps and Play
+    go. Two knobs with the same `pair` are the ends of one range, the lower first: one slider with
+    two handles, named by the pair, that cannot pass each other.
     """
 
     name: str
@@ -33,6 +37,8 @@ class Knob:
     scale: float = 1.0
     step: float = 1.0
     title: str = ""
+    whole: bool = False
+    pair: str = ""
 
     @classmethod
     def angle(cls, name: str, label: str, low: float = -math.pi, high: float = math.pi,
@@ -68,8 +74,10 @@ class Knob:
         return min(max(value, self.low), self.high)
 
     def data(self) -> dict:
-        """Plain data for the browser."""
-        return asdict(self) | {"suffix": self.suffix, "digits": self.digits}
+        """Plain data for the browser; what few knobs have is left out of the others."""
+        rare = {name for name in ("whole", "pair") if not getattr(self, name)}
+        told = {name: value for name, value in asdict(self).items() if name not in rare}
+        return told | {"suffix": self.suffix, "digits": self.digits}
 
 
 @dataclass(frozen=True)

@@ -43,7 +43,8 @@ def solve_scene(arm: Arm, goal: np.ndarray, trails: Mapping[str, Sequence[Tried]
     for k, (method, trail) in enumerate(trails.items()):
         sketch.stand(k, method, trail)
     sketch.chart(trails, max(last, 1))
-    sketch.knob(Knob("step", "step", 0.0, float(max(last, 1)), title="step of the solve"))
+    sketch.knob(Knob("step", "step", 0.0, float(max(last, 1)), title="step of the solve",
+                     whole=True))
     sketch.poses = [[float(k)] for k in range(last + 1)]
     return sketch.scene()
 

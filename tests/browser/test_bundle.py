@@ -1,13 +1,16 @@
 """Modules of JavaScript joined into one text."""
+import re
+
 import pytest
 
 from kinlab.browser import bundle
 
 MODULES = {
-    "low.js": "// Says </script> once.\n/**\n * Two numbers.\n */\n"
+    "low.js": "// Two numbers.\n\n/**\n * Two numbers.\n */\n"
               "export const low = 1, deep = 2;\n",
     "middle.js": 'import { low } from "./low.js";\n\n/** @type {() => number} */\n'
-                 "export function half() { return /** here */ low / 2; }\n",
+                 "export function half() {\n  // by two\n"
+                '  return /** here */ low / 2; // "</script>"\n}\n',
     "entry.js": 'import {\n  half,\n} from "./middle.js";\nimport { low } from "./low.js";\n\n'
                 "export const all = half() + low;\n\nexport default { all };\n",
 }
@@ -22,15 +25,15 @@ def folder(tmp_path):
 
 def test_what_is_needed_comes_first_and_only_the_entry_exports(folder):
     assert bundle.module("entry.js", folder) == (
-        "// Says </script> once.\nconst low = 1, deep = 2;\n"
-        "\nfunction half() { return /** here */ low / 2; }\n"
-        "\nexport const all = half() + low;\n\nexport default { all };\n")
+        "const low = 1, deep = 2;\n"
+        "function half() {\nreturn /** here */ low / 2; // \"</script>\"\n}\n"
+        "export const all = half() + low;\nexport default { all };\n")
 
 
 def test_a_page_gets_a_script_that_cannot_end_early(folder):
     assert bundle.script("middle.js", folder) == (
-        "(() => {\n// Says <\\/script> once.\nconst low = 1, deep = 2;\n"
-        "\nfunction half() { return /** here */ low / 2; }\n})();\n")
+        "(() => {\nconst low = 1, deep = 2;\n"
+        "function half() {\nreturn /** here */ low / 2; // \"<\\/script>\"\n}\n})();\n")
 
 
 @pytest.mark.parametrize("text, words", [
@@ -55,3 +58,10 @@ def test_modules_that_cannot_share_a_scope_are_refused(text, words, folder):
 @pytest.mark.parametrize("entry", ["host_jupyter.js", "host_table.js", "mount.js", "host_page.js"])
 def test_the_modules_of_the_package_share_one_scope(entry):
     assert "\nimport " not in bundle.module(entry)
+
+
+def test_no_text_in_backquotes_runs_over_lines():
+    """The spaces before a line are left out, wherever it stands."""
+    for path in bundle.HERE.glob("*.js"):
+        text = re.sub(r"\$\{[^{}]*\}", "", path.read_text(encoding="utf-8"))
+        assert not [words for words in re.findall("`[^`]*`", text) if "\n" in words], path.name

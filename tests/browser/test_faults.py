@@ -92,9 +92,9 @@ def test_play_and_keys_tell_python_ten_times_a_second(live):
     (view,) = live(SHOW)
     page, home = view.page, [0, 0, 0, -90, 0]
     view.evaluate(LISTEN)
-    view.locator(".kl-button").nth(2).click()
+    view.locator("[data-part=play]").click()
     page.wait_for_timeout(1500)
-    view.locator(".kl-button").nth(2).click()
+    view.locator("[data-part=play]").click()
     said, drawn = page.evaluate("[said, drawn.size]")
     assert most_in_a_second(said) <= 11 and drawn >= len(said) > 3  # a picture for each, and more
     view.get_by_role("button", name="Home", exact=True).click()
