@@ -1,140 +1,190 @@
-"""matplotlib's hand: the still picture of a scene, with named parts."""
+"""matplotlib's hand: the still picture of a scene, with named parts.
+
+Marks are painted as they are, without an artist for each: a picture has hundreds, and the first
+view of a lesson waits for it.
+"""
 from __future__ import annotations
 
 import io
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Sequence
+from functools import lru_cache
 
-import matplotlib
 import numpy as np
 from matplotlib.artist import Artist
-from matplotlib.axes import Axes
-from matplotlib.backend_bases import RendererBase
-from matplotlib.colors import to_rgb
+from matplotlib.backend_bases import GraphicsContextBase, RendererBase
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.colors import to_rgba
 from matplotlib.figure import Figure
-from matplotlib.image import AxesImage
-from matplotlib.patches import PathPatch
+from matplotlib.font_manager import FontProperties
 from matplotlib.path import Path
-from matplotlib.patheffects import withStroke
-from matplotlib.text import Text
-from matplotlib.transforms import Affine2D
+from matplotlib.textpath import text_to_path
+from matplotlib.transforms import Affine2D, Transform, TransformedPath
 from PIL import Image
 
 from ..arms.motions import Numbers
 from .paints import Paint
 from .scene import Scene
-from .solids import Across, Round
+from .solids import OFFSETS, Across, Round
 from .still import Drawn, Mark, still
 
-_PIXELS = 32                                # of a gradient, from its first level to its last
-_OFFSETS = {3: (0.0, 0.5, 1.0), 5: (0.0, 0.175, 0.5, 0.825, 1.0)}  # of its levels, as in solids.py
-_COLOURS = 256                              # of a still picture: a lesson holds ten of them
+_DPI = 108                                  # of a still picture
+_COLOURS = 256                              # of it: a lesson holds ten of them
+_SIDES = 36                                 # of a round gradient
+_BEYOND = 1.0                               # how far a gradient goes on beyond its ends
+_LETTERS, _RISE, _RIM = 12.5, 0.28, 3.0     # px; of their size: from a baseline to the middle; px
+_RIM_COLOUR = "#ffffffd9"
 
 
 def figure(scene: Scene, q: Numbers, preset: str = "",
            show: Sequence[str] = ("frames", "labels", "floor")) -> Figure:
     """The scene drawn at joint values `q`, every part carrying its `gid`."""
     width, height = scene.size
-    fig = Figure(figsize=(width / 72, height / 72), dpi=72)
-    ax = fig.add_axes((0, 0, 1, 1), xlim=(0, width), ylim=(height, 0))
-    ax.axis("off")
-    for depth, drawn in enumerate(still(scene, q, preset, show), start=1):
-        ax.add_artist(_Part(ax, drawn)).set_zorder(depth)
+    fig = Figure(figsize=(width / 72, height / 72), dpi=72, facecolor="white")
+    px = Affine2D().translate(0, -height).scale(1 / 72, -1 / 72) + fig.dpi_scale_trans
+    for drawn in still(scene, q, preset, show):
+        fig.add_artist(_Part(drawn, px))
     return fig
 
 
 def png(fig: Figure) -> bytes:
     """The figure as a PNG picture, in so many colours that the axes keep theirs."""
-    drawn, small = io.BytesIO(), io.BytesIO()
-    with matplotlib.rc_context({"path.simplify": False}):
-        fig.savefig(drawn, format="png", dpi=108, facecolor="white")
-    picture = Image.open(drawn).convert("RGB")
+    fig.set_dpi(_DPI)
+    canvas, small = FigureCanvasAgg(fig), io.BytesIO()
+    canvas.draw()
+    picture = Image.fromarray(np.asarray(canvas.buffer_rgba())).convert("RGB")
     fewer = picture.quantize(_COLOURS, Image.Quantize.FASTOCTREE, dither=Image.Dither.NONE)
-    fewer.save(small, "PNG", optimize=True)
+    fewer.save(small, "PNG")
     return small.getvalue()
 
 
 class _Part(Artist):
-    """All marks of one thing, in one named group."""
+    """All marks of one thing, in one named group; `px` leads from their px to the figure."""
 
-    def __init__(self, ax: Axes, drawn: Drawn) -> None:
+    def __init__(self, drawn: Drawn, px: Transform) -> None:
         super().__init__()
         self.set_gid(drawn.gid)
-        self.pieces = [piece for mark in drawn.marks for piece in _artists(ax, mark)]
+        # A path that clips has to outlast the picture: Agg knows it again by its address.
+        self.marks = [(mark, _path(mark.lines, closed=mark.closed)) for mark in drawn.marks
+                      if any(len(line) for line in mark.lines)]
+        self.px = px
 
     def draw(self, renderer: RendererBase) -> None:
         renderer.open_group("part", gid=self.get_gid())
-        for piece in self.pieces:
-            piece.draw(renderer)
+        for mark, path in self.marks:
+            _paint(renderer, mark, path, self.px)
         renderer.close_group("part")
 
 
-def _artists(ax: Axes, mark: Mark) -> Iterator[Artist]:
+def _paint(renderer: RendererBase, mark: Mark, path: Path, px: Transform) -> None:
     if mark.light is not None:
-        yield _shaded(ax, mark.lines[0], mark.light, mark.fill)
+        _light(renderer, path, mark.light, mark.fill, px)
     if mark.text:
-        yield _placed(ax, _text(mark))
-    elif any(len(line) for line in mark.lines):
-        yield _placed(ax, PathPatch(
-            _path(mark.lines, closed=mark.closed), fill="fill" in mark.paint, capstyle="round",
-            alpha=mark.opacity, **_patch(mark.paint)))
+        _write(renderer, mark, px)
+    else:
+        _stroke(renderer, path, px, mark.paint, mark.opacity)
 
 
-def _placed(ax: Axes, artist: Artist) -> Artist:
-    artist.set_figure(ax.figure)
-    artist.axes = ax
-    artist.set_transform(ax.transData)
-    return artist
+def _stroke(renderer: RendererBase, path: Path, px: Transform, paint: Paint,
+            opacity: float = 1.0) -> None:
+    """Fill a path and draw it, in so far as it has the paint for either."""
+    fill = _colour(paint["fill"], opacity) if "fill" in paint else None
+    gc = renderer.new_gc()
+    gc.set_foreground(_colour(paint.get("stroke", "none"), opacity), isRGBA=True)
+    _set_pen(gc, paint)
+    renderer.draw_path(gc, path, px, fill)
+    gc.restore()
 
 
-def _text(mark: Mark) -> Text:
+def _set_pen(gc: GraphicsContextBase, paint: Paint) -> None:
+    gc.set_linewidth(paint.get("stroke-width", 1.0) if paint.get("stroke") != "none" else 0.0)
+    gc.set_joinstyle(paint.get("stroke-linejoin", "round"))  # type: ignore[arg-type]
+    gc.set_capstyle("round")
+    gc.set_dashes(0, list(paint.get("stroke-dasharray", ())) or None)
+
+
+@lru_cache(1000)
+def _colour(name: str, opacity: float) -> tuple[float, float, float, float]:
+    red, green, blue, own = to_rgba(name)
+    return red, green, blue, own * opacity
+
+
+def _path(lines: Sequence[np.ndarray], *, closed: bool) -> Path:
+    """One path of several lines."""
+    lines = [np.vstack([line, line[:1]]) if closed else line for line in lines if len(line)]
+    corners = np.concatenate(lines)
+    codes = np.full(len(corners), Path.LINETO, dtype=Path.code_type)
+    ends = np.cumsum([len(line) for line in lines])
+    codes[ends[:-1]] = codes[0] = Path.MOVETO
+    if closed:
+        codes[ends - 1] = Path.CLOSEPOLY
+    return Path(corners, codes)
+
+
+# ---- words ----
+
+def _write(renderer: RendererBase, mark: Mark, px: Transform) -> None:
+    """Words with a rim that keeps off what lies under them."""
+    letters, middle = _letters(mark.text, mark.weight)
     ((x, y),) = mark.lines[0]
-    return Text(x, y, mark.text, color=mark.paint["fill"], fontsize=12.5, weight=mark.weight,
-                ha="center", va="center", family="sans-serif", alpha=mark.opacity,
-                path_effects=[withStroke(linewidth=3, foreground="white", alpha=0.85)])
+    where = Affine2D().translate(-middle, 0).scale(1, -1).translate(x, y + _RISE * _LETTERS) + px
+    rim: Paint = {"stroke": _RIM_COLOUR, "stroke-width": _RIM}
+    _stroke(renderer, letters, where, rim, mark.opacity)
+    _stroke(renderer, letters, where, {**mark.paint, "stroke": "none"}, mark.opacity)
 
 
-def _path(lines: Iterable[np.ndarray], *, closed: bool) -> Path:
-    return Path.make_compound_path(*(
-        Path(np.vstack([line, line[:1]]) if closed else line, closed=closed)
-        for line in lines if len(line)))
+@lru_cache(1000)
+def _letters(text: str, weight: str) -> tuple[Path, float]:
+    """The outlines of words in px, and how far their middle lies to the right."""
+    corners, codes = text_to_path.get_text_path(_font(weight), text)
+    corners = np.asarray(corners) * _LETTERS / text_to_path.FONT_SCALE
+    return Path(corners, codes), float(corners[:, 0].max() + corners[:, 0].min()) / 2
 
 
-def _patch(paint: Paint) -> dict:
-    """A paint in matplotlib's words; its dashes are multiples of the line's width."""
-    width = paint.get("stroke-width", 1.0)
-    dash = [length / width for length in paint.get("stroke-dasharray", ())]
-    return {"edgecolor": paint["stroke"], "linewidth": width,
-            "joinstyle": paint.get("stroke-linejoin", "round"),
-            "facecolor": paint.get("fill", "none"), "linestyle": (0, dash) if dash else "-"}
+@lru_cache
+def _font(weight: str) -> FontProperties:
+    return FontProperties(family="sans-serif", weight=weight, size=_LETTERS)
 
 
 # ---- gradients ----
 
-def _shaded(ax: Axes, outline: np.ndarray, light: Across | Round,
-            colours: Sequence[str]) -> AxesImage:
-    """The gradient within an outline, as a picture of its own that is cut out."""
-    stops, where = np.array([to_rgb(colour) for colour in colours]), _OFFSETS[len(colours)]
-    image, extent, place = (_across(light, outline) if isinstance(light, Across)
-                            else _round(light))
-    shaded = AxesImage(ax, interpolation="bilinear", extent=extent, origin="lower")
-    shaded.set_data(np.stack([np.interp(image, where, stop) for stop in stops.T], axis=-1))
-    shaded.set_transform(place + ax.transData)
-    shaded.set_clip_path(Path(np.vstack([outline, outline[:1]]), closed=True), ax.transData)
-    return shaded
+def _light(renderer: RendererBase, outline: Path, light: Across | Round,
+           colours: Sequence[str], px: Transform) -> None:
+    """The gradient within an outline."""
+    stops = np.array([_colour(colour, 1.0) for colour in colours])
+    corners, shades = (_across(light, np.asarray(outline.vertices), stops)
+                       if isinstance(light, Across) else _round(light, stops))
+    gc = renderer.new_gc()
+    gc.set_clip_path(TransformedPath(outline, px))
+    renderer.draw_gouraud_triangles(gc, _triangles(corners), _triangles(shades), px)
+    gc.restore()
 
 
-def _across(light: Across, outline: np.ndarray) -> tuple[np.ndarray, tuple, Affine2D]:
-    """How far along the gradient each pixel lies, and where they lie on the picture."""
-    (x, y), (u, v) = light.start, np.asarray(light.end) - light.start
-    square = (u * u + v * v) or 1.0
-    wide = float(np.abs((outline - light.start) @ [-v, u]).max()) / square + 0.1
-    share = np.linspace(-0.1, 1.1, _PIXELS)
-    return (np.tile(share, (2, 1)), (-0.1, 1.1, -wide, wide),
-            Affine2D(np.array([[u, -v, x], [v, u, y], [0, 0, 1]])))
+def _triangles(grid: np.ndarray) -> np.ndarray:
+    """Two triangles in every cell of a grid of corners, or their colours."""
+    a, b, c, d = grid[:-1, :-1], grid[:-1, 1:], grid[1:, :-1], grid[1:, 1:]
+    corners = np.stack([a, b, c, b, c, d], axis=2)
+    return corners.reshape(-1, 3, grid.shape[-1])
 
 
-def _round(light: Round) -> tuple[np.ndarray, tuple, Affine2D]:
-    """How far from the middle of the gradient each pixel lies."""
-    side = np.linspace(-1, 1, _PIXELS)
-    return (np.hypot(side, side[:, None]), (-1, 1, -1, 1),
-            Affine2D().scale(light.radius).translate(*light.center))
+def _across(light: Across, outline: np.ndarray,
+            stops: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Corners of a strip along the gradient, two for each stop, and their colours."""
+    way = np.asarray(light.end) - light.start
+    aside = np.array([-way[1], way[0]])
+    square = float(way @ way) or 1.0
+    wide = float(np.abs((outline - light.start) @ aside).max()) / square + 0.1
+    share = np.array([-_BEYOND, *OFFSETS[Across], 1 + _BEYOND])
+    along = light.start + share[:, None] * way
+    corners = along[:, None] + np.array([[-wide], [wide]]) * aside
+    colours = stops[[0, *range(len(stops)), -1]]
+    return corners, np.repeat(colours[:, None], 2, axis=1)
+
+
+def _round(light: Round, stops: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Corners of rings round the middle of the gradient, one for each stop, and their colours."""
+    angles = np.linspace(0, 2 * np.pi, _SIDES + 1)
+    circle = np.stack([np.cos(angles), np.sin(angles)], axis=-1)
+    share = np.array([*OFFSETS[Round], 1 + _BEYOND])
+    corners = np.asarray(light.center) + light.radius * share[:, None, None] * circle
+    colours = stops[[*range(len(stops)), -1]]
+    return corners, np.repeat(colours[:, None], len(angles), axis=1)
