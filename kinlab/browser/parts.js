@@ -2,7 +2,7 @@
 
 import { inRoom } from "./frames.js";
 import { textSize } from "./labels.js";
-import { dimmed, faces, hull, shades } from "./solids.js";
+import { dimmed, faces, hull, pale, shades } from "./solids.js";
 import { drawn, polygon, polyline, put, px, reveal } from "./svg.js";
 import { clip } from "./steps.js";
 import { minus, norm, partway, plus, times, unit } from "./vectors.js";
@@ -70,7 +70,9 @@ export class Solid extends Part {
     super(item);
     this.paint = paint;
     const ramp = shades(paint.ramp ?? []), hub = paint.hub ? shades(paint.hub) : ramp;
-    this.ramps = { plain: [ramp, hub], pointed: [shades(amber.ramp ?? []), hub],
+    const plain = [ramp, hub].map((colours) => paint.faded ? colours.map(pale) : colours);
+    if (paint.faded) this.group.classList.add("kl-far");
+    this.ramps = { plain, pointed: [shades(amber.ramp ?? []), hub],
                    dim: [ramp.map(dimmed), hub.map(dimmed)] };
     this.pieces = [new Piece(this, this.group)];
   }
@@ -334,8 +336,11 @@ export const PATHS = { line: polyline, trace: polyline, face: facing,
 export class Stroke extends Part {
   near = 0;                                         // how near it is in the middle
 
-  /** @type {{ a: number[], b: number[] } | null} */
-  stroke = null;
+  /**
+   * What words keep off.
+   * @type {{ a: number[], b: number[] }[]}
+   */
+  stroke = [];
 
   /** @param {Whole} item @param {Paint} paint */
   constructor(item, paint) {
@@ -350,15 +355,40 @@ export class Stroke extends Part {
     const points = room.map(lens.see);
     put(this.path, "d", PATHS[this.item.shape](points));
     this.near = this.item.lift + room.reduce((sum, p) => sum + depthOf(p, lens), 0) / room.length;
-    const [a, b] = this.item.shape === "arrow" ? points : [];
-    this.stroke = a ? { a: a.slice(0, 2), b: b.slice(0, 2) } : null;
+    this.stroke = keptOff(this.item, points.map((point) => point.slice(0, 2)));
   }
+}
+
+const KEPT_OFF = ["arc", "line"], PIECE = 4;        // parts; how many steps of a line make a piece
+
+/**
+ * An arrow, and arcs and lines in pieces: no word stands on them.
+ * @param {Whole} item
+ * @param {number[][]} points
+ */
+function keptOff({ shape, part }, points) {
+  if (shape === "arrow") return [{ a: points[0], b: points[1] }];
+  if (shape !== "line" || !KEPT_OFF.includes(part)) return [];
+  const corners = points.filter((_, k) => k % PIECE === 0 || k === points.length - 1);
+  return corners.slice(1).map((b, k) => ({ a: corners[k], b }));
 }
 
 /** @type {(point: Triple, lens: Lens) => number} */
 const depthOf = (point, { near }) => near.reduce((sum, e, k) => sum + e * point[k], 0);
 
 // ---- words ----
+
+const COME = 13;                                    // px
+
+/**
+ * From where words at a point come that stand away from another point.
+ * @param {number[]} anchor
+ * @param {number[]} away
+ */
+function besideOf([x, y], away) {
+  const dx = x - away[0], dy = y - away[1], d = Math.hypot(dx, dy), far = d < 1 ? 0 : COME / d;
+  return [x - far * dx, y - far * dy];
+}
 
 /** Words at a point, or the name of an axis at its tip. */
 export class Words extends Part {
@@ -378,8 +408,9 @@ export class Words extends Part {
   locate(at, lens, picture) {
     const places = this.places(at), axis = this.item.shape === "name";
     const ends = axis ? axisEnds(places, this.item.size, lens, picture) : null;
-    const [anchor, from] = [ends?.tip ?? places[0], ends?.origin ?? null]
+    const [anchor, away] = [ends?.tip ?? places[0], ends?.origin ?? places[1] ?? null]
       .map((point) => point && lens.see(point).slice(0, 2));
+    const from = axis || !away ? away : besideOf(anchor ?? away, away);
     const [w, h] = this.box;
     return { anchor: anchor ?? [0, 0], from, w, h, state: this.state };
   }

@@ -49,6 +49,12 @@ export const shades = ([shade, middle, light]) => Array.from({ length: BRIGHTEST
  */
 export const dimmed = (colour) => `color-mix(in srgb, ${colour} 22%, var(--kl-paper))`;
 
+/**
+ * A colour that steps back half of the way, behind what is drawn over it.
+ * @type {(colour: string) => string}
+ */
+export const pale = (colour) => `color-mix(in srgb, ${colour} 45%, var(--kl-paper))`;
+
 // ---- outlines ----
 
 /** @type {(count: number) => number[][]} */

@@ -82,6 +82,8 @@ export interface Paint extends Record<string, unknown> {
   ramp?: string[];
   hub?: string[];
   cap?: boolean;
+  /** Whether it always steps back into the paper. */
+  faded?: boolean;
 }
 
 export interface Vector {

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable
+from dataclasses import replace
 from numbers import Integral
 from typing import Any
 
@@ -20,7 +21,7 @@ from .arm_scene import link_ends
 from .camera import Camera
 from .controls import Knob, PoseTable, decimals, subscript
 from .readings import Amount
-from .scene import SPATIAL, Scene, at, origin_of
+from .scene import SOLIDS, SPATIAL, Item, Scene, at, origin_of
 from .sketch import Sketch
 
 _AXES, _VIEW = np.eye(3), Camera(*SPATIAL["3-D"]).axes[2]
@@ -56,11 +57,13 @@ class LinkSketch(Sketch):
             raise ValueError(f"link: expected a whole number from 1 to {arm.n}, "
                              f"got {inputs.brief(link)}")
         super().__init__(f"Link {link} of {arm.name or 'the arm'}, {arm.convention} DH",
-                         planar=False, unit=arm.unit, grid=False)
+                         planar=False, unit=arm.unit, grid=0)
         self.lay_arm(arm, q, keep=lambda item: not item.layer)
+        self.items = [_stepped_back(item, int(link)) for item in self.items]
         self.arm, self.link, self.over = arm, int(link), self.radius
         self.bare()
-        self.fit = None  # one link is looked at, not the whole arm
+        self.fit = None  # one link is looked at, not the arm
+        self.floor = self.floor and replace(self.floor, drops=())
         self.motions = arm.chain[self.link]
         self.parameters = [parameter for _, _, parameter in CONVENTIONS[arm.convention]]
         self.radius = _closeness(arm, self.motions, self.radius)
@@ -123,7 +126,7 @@ class LinkSketch(Sketch):
             self.line(f"ray-{k}-{frame}", at(frame, (0, 0, 0), 1.08 * place))
         marks = self.sweep(f"arc-{k}", after, place)
         self.arrow(f"head-{k}", at(marks[_HEAD], place)[0], at(marks[_END], place)[0], "angle")
-        self.label(self._name(k), at(marks[_HALF], 1.17 * place)[0], "angle")
+        self.label(self._name(k), at(marks[_HALF], place, (0, 0, 0)), "angle")
 
     def _dimension(self, k: int, axis: int, before: int, after: int) -> None:
         """Beside the link, between two short lines out from where the slide begins and ends."""
@@ -133,7 +136,7 @@ class LinkSketch(Sketch):
         tail, head = (at(frame, beside)[0] for frame in (before, after))
         self.arrow(f"dimension-{k}", tail, head, "length")
         middle = self._part(self._step(after), before, 0.5)
-        self.label(self._name(k), at(middle, 1.5 * beside)[0], "length")
+        self.label(self._name(k), at(middle, beside, (0, 0, 0)), "length")
 
     def _sideways(self, frame: int, axis: int, other: int) -> np.ndarray:
         """Across an axis of a frame and across the view at first; not towards the other axis."""
@@ -171,6 +174,12 @@ class LinkSketch(Sketch):
 
     def _unit(self, motion: Motion) -> str:
         return "°" if motion.kind == ROTATE else f" {self.unit}"
+
+
+def _stepped_back(item: Item, link: int) -> Item:
+    """A solid in paler colours, unless it belongs to the link."""
+    pale = item.shape in SOLIDS and item.link != link
+    return replace(item, style=f"{item.style}-far") if pale else item
 
 
 def _closeness(arm: Arm, motions: Iterable[Motion], radius: float) -> float:

@@ -38,7 +38,7 @@ COLOURS = {
 Paint = TypedDict("Paint", {"stroke": str, "stroke-width": float, "stroke-linejoin": str,
                             "fill": str, "stroke-dasharray": tuple[float, ...], "words": str,
                             "ramp": tuple[str, str, str], "hub": tuple[str, str, str],
-                            "cap": bool}, total=False)
+                            "cap": bool, "faded": bool}, total=False)
 
 
 def _paint(stroke: str, width: float, *, fill: str = "", join: str = "round",
@@ -107,3 +107,6 @@ PAINTS: dict[str, Paint] = {
     "first": _quantity("first", 2),
     "second": _quantity("second", 2, dash=(10, 4)),
 }
+# Solids that step back behind what is drawn over them.
+FAR = [style for style, paint in PAINTS.items() if "ramp" in paint]
+PAINTS.update({f"{style}-far": PAINTS[style] | {"faded": True} for style in FAR})

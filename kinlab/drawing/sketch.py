@@ -27,12 +27,16 @@ from .controls import Knob, PoseTable, Switch, Target, subscript
 from .readings import Amount, Entry, Point, Reading, Vector, Volume
 from .scene import (
     ARROW,
+    AXIS,
     LINE,
+    NAME,
     PLANAR,
     SIZE,
+    SOLIDS,
     SPATIAL,
     TEXT,
     TRACE,
+    TUBE,
     Fit,
     Floor,
     Item,
@@ -44,6 +48,10 @@ from .scene import (
 )
 
 _AXES = np.eye(3)
+_THICK = 0.034              # radius of a joint, as a part of the sketch's
+_HALF, _BASE = 1.02, 0.32   # half height of a joint and height of a base, in radii of a joint
+_THIN, _TAPER = 0.7, 0.56   # radii of a link's two ends, the same,
+_SKIN = 0.93                # and how far from the middle of a joint it begins
 
 
 class Sketch:
@@ -55,23 +63,36 @@ class Sketch:
         What the picture shows, for its description.
     radius : float
         Half the width of what is shown about the centre.
+    center : array_like, shape (3,)
+        The point in the middle.
     planar : bool
         Seen from the top, with x and y axes only.
     unit : str
         Unit of lengths.
-    grid : bool
-        Whether lines of whole units lie on the ground.
+    grid : float
+        How far apart the lines on the ground are, with their numbers; 0 for none.
+
+    Attributes
+    ----------
+    follows : bool
+        Whether the picture follows what is drawn: that fills it at home and never leaves it.
+        Otherwise the room stands still.
     """
 
-    def __init__(self, name: str, radius: float = 4.0, *, planar: bool = True, unit: str = "",
-                 grid: bool = True) -> None:
+    def __init__(self, name: str, radius: float = 4.0, *, center: Numbers = (0, 0, 0),
+                 planar: bool = True, unit: str = "", grid: float = 1.0) -> None:
         self.name, self.radius, self.planar, self.unit = name, radius, planar, unit
         self.steps: list[Step | Velocity] = []
         self.items: list[Item] = []
         self.knobs: list[Knob] = []
         self.readings: list[Reading] = []
         self.tip = 0  # the frame that a table shows: the last one made
-        self.center = (0.0, 0.0, 0.0)
+        self.center = (float(center[0]), float(center[1]), float(center[2]))
+        self.thick = _THICK * radius  # radius of a joint
+        self.floor = Floor(0.0, grid, grid * math.ceil(2 * radius / grid),
+                           decimals=0 if grid >= 1 else 1) if grid else None
+        self.fit: Fit | None = None
+        self.follows = False
         self.focus: int | None = None
         self.size = SIZE
         self.place: tuple[float, float] | None = None
@@ -82,18 +103,14 @@ class Sketch:
         self.poses: list[list[float]] = []
         self.target: Target | None = None
         self.decimals: int | None = None
-        self.floor: Floor | None = None
-        self.fit: Fit | None = None  # to be framed as arms are
         self.over = 0.0  # how much nearer than its place everything new lies (length unit)
         self._bodies = 0
-        if grid:
-            self._ground()
 
     @classmethod
     def of(cls, arm: Arm, q: Numbers | None = None, *, name: str = "", show: Any = (),
            keep: Callable[[Item], bool] = lambda item: True) -> Sketch:
         """A sketch that begins with the picture of an arm; see `lay_arm`."""
-        sketch = cls(name or arm.name or "Arm", planar=is_planar(arm), unit=arm.unit, grid=False)
+        sketch = cls(name or arm.name or "Arm", planar=is_planar(arm), unit=arm.unit, grid=0)
         sketch.lay_arm(arm, q, show=show, keep=keep)
         return sketch
 
@@ -110,6 +127,11 @@ class Sketch:
         self.floor, self.fit = scene.floor, scene.fit
         self.poses = [list(pose) for pose in scene.poses]
         self.lay(filter(keep, scene.items))
+
+    def drop(self, *frames: int) -> None:
+        """Lines from the origins of frames to the ground, with their coordinates."""
+        if self.floor is not None:
+            self.floor = replace(self.floor, drops=frames, decimals=2)
 
     def bare(self) -> None:
         """Leave out what stands beside an arm: switches, Play and the table of the tool."""
@@ -152,37 +174,78 @@ class Sketch:
         self.tip = frame
         return frame
 
-    def axes(self, name: str, frame: int, length: float | None = None) -> None:
-        """Draw the axes of a frame, with their names."""
-        length = length or 0.3 * self.radius
+    def axes(self, name: str, frame: int, length: float | None = None, *, inside: float = 0.0,
+             sharing: int = 0) -> None:
+        """Draw the axes of a frame, with their names.
+
+        With a `length` they are arrows so long, such as vectors of length 1. Without, they have
+        the same size however near one is, begin `inside` of their origin, and are longer for each
+        of the frames `sharing` it.
+        """
+        size = () if length else (inside, float(sharing))
         for letter, axis in zip("xy" if self.planar else "xyz", _AXES):
-            label = (length + 0.05 * self.radius) * axis
-            self.add(f"frame-{name}-{letter}", ARROW, letter, at(frame, (0, 0, 0), length * axis))
-            self.add(f"label-{name}-{letter}", TEXT, letter, at(frame, label),
-                     letter + subscript(name), lift=self.radius)
+            ends = at(frame, (0, 0, 0), (length or 1.0) * axis)
+            self.add(f"frame-{name}-{letter}", ARROW if length else AXIS, letter, ends, size=size,
+                     part="frame", frame=name)
+            self.add(f"label-{name}-{letter}", TEXT if length else NAME, letter,
+                     ends[::-1] if length else ends, letter + subscript(name), lift=self.radius,
+                     size=size, part="label", frame=name)
 
     def point(self, name: str, frame: int, place: Numbers) -> Point:
         """A dot with its name."""
         (point,) = at(frame, (*place, 0)[:3])
-        beside = (point[0], *(np.array(point[1:]) + 0.07 * self.radius * np.array([1, 1, 0])))
         # A dot is a line too short to see, with round ends. Agg draws none of a line without
         # length, nor of one along a row of pixels, which it rounds to whole pixels.
         (end,) = at(frame, np.array(point[1:]) + 1e-3 * self.radius)
-        self.add(f"point-{name}", LINE, "tool", (point, end), lift=self.radius)
-        self.add(f"name-{name}", TEXT, "ink", (beside,), name, lift=self.radius)
+        self.add(f"point-{name}", LINE, "tool", (point, end), lift=self.radius, part="point",
+                 frame=name)
+        self.add(f"name-{name}", TEXT, "ink", (point, point), name, lift=self.radius,
+                 part="label", frame=name)
         return point
 
-    def line(self, name: str, points: Iterable[Point], style: str = "dashed") -> None:
-        """A line through points, each in its own frame."""
-        self.add(name, LINE, style, tuple(points))
+    # ---- a solid arm ----
+
+    def base(self) -> None:
+        """The plate on which the first joint stands, with the floor below it."""
+        low = -(_HALF + 0.26 + _BASE) * self.thick
+        self.solid("base", "base", at(0, (0, 0, low), (0, 0, low + _BASE * self.thick)),
+                   (1.7 * self.thick, 1.6 * self.thick), part="base", link=0)
+        if self.floor is not None:
+            self.floor = replace(self.floor, height=low)
+
+    def hinge(self, joint: int, frame: int) -> None:
+        """A joint that turns about the z axis of a frame, the one after its motion."""
+        half = (0, 0, _HALF * self.thick)
+        self.solid(f"joint-{joint}", "iron", at(frame, np.negative(half), half),
+                   (self.thick, self.thick), part="joint", joint=joint, link=joint)
+
+    def limb(self, link: int, start: int, end: int, last: bool = False) -> None:
+        """A link along the x axes of two frames, from a joint to the next or to the arm's tip."""
+        skin = _SKIN * self.thick
+        ends = ((start, skin, 0.0, 0.0), (end, 0.0 if last else -skin, 0.0, 0.0))
+        self.solid(f"link-{link}", "steel", ends, (_THIN * self.thick, _TAPER * self.thick),
+                   part="link", link=link)
+
+    def solid(self, gid: str, style: str, ends: Iterable[Point], radii: tuple[float, float],
+              **about: Any) -> None:
+        """A round body along the line between two points, with a radius at each of them."""
+        self.add(gid, TUBE, style, ends, size=radii, **about)
+
+    # ---- strokes and words ----
+
+    def line(self, name: str, points: Iterable[Point], style: str = "dashed",
+             **about: Any) -> None:
+        """A line through points, each in its own frame; `about` is what `add` takes."""
+        self.add(name, LINE, style, tuple(points), **{"part": "line"} | about)
 
     def arrow(self, name: str, tail: Point, head: Point, style: str = "vector") -> None:
         """An arrow from point to point."""
-        self.add(name, ARROW, style, (tail, head), lift=0.1 * self.radius)
+        self.add(name, ARROW, style, (tail, head), lift=0.1 * self.radius, part="arrow")
 
-    def label(self, text: str, place: Point, style: str = "ink") -> None:
-        """Words at a point."""
-        self.add(f"words-{len(self.items)}", TEXT, style, (place,), text, lift=self.radius)
+    def label(self, text: str, places: Iterable[Point], style: str = "ink", **about: Any) -> None:
+        """Words beside a point, away from a second one; `about` is what `add` takes."""
+        self.add(f"words-{len(self.items)}", TEXT, style, places, text, lift=self.radius,
+                 **{"part": "label"} | about)
 
     def components(self, name: str, point: Point, frame: int) -> None:
         """Dashed legs from a frame's origin to a point of that frame, along its axes."""
@@ -199,11 +262,11 @@ class Sketch:
         """
         motion, before = self._step(step), self._before(step)
         marks = [self._part(motion, before, share) for share in np.linspace(0, 1, 17)]
-        self.line(name, [at(frame, place)[0] for frame in marks], style)
+        joint = None if motion.joint is None else motion.joint + 1
+        self.line(name, [at(frame, place)[0] for frame in marks], style, part="arc", joint=joint)
         if text:
-            outside = (1.25 if motion.kind == ROTATE else 1.0) * np.array(place, dtype=float)
-            self.label(text, at(marks[8], outside)[0],
-                       "angle" if motion.kind == ROTATE else "length")
+            self.label(text, at(marks[8], place, (0, 0, 0)),
+                       "angle" if motion.kind == ROTATE else "length", joint=joint)
         return marks
 
     def vector(self, tail: Point | int, head: Point | int, frame: int = 0) -> Vector:
@@ -213,7 +276,7 @@ class Sketch:
 
     def trace(self, frame: int) -> None:
         """The way of a frame's origin, once it is switched on."""
-        self.add("trace", TRACE, "trace", at(frame, (0, 0, 0)), layer="trace")
+        self.add("trace", TRACE, "trace", at(frame, (0, 0, 0)), layer="trace", part="trace")
 
     def reading(self, name: str, text: str, *parts: Vector | Amount | Volume | Entry) -> None:
         """A formula under the picture, with a ``{}`` for each part."""
@@ -221,15 +284,25 @@ class Sketch:
 
     def scene(self) -> Scene:
         """What has been sketched so far."""
-        return Scene(
+        scene = Scene(
             name=self.name, motions=tuple(self.steps), items=tuple(self.items), tip=self.tip,
             center=self.center, radius=self.radius, size=self.size,
             focus=self.focus, place=self.place, presets=dict(self.presets),
             knobs=tuple(self.knobs), start=tuple(self.start) or None,
             switches=tuple(self.switches), pose=self.pose, target=self.target,
             poses=tuple(tuple(map(float, pose)) for pose in self.poses),
-            readings=tuple(self.readings), decimals=self.decimals, floor=self.floor,
-            fit=self.fit)
+            readings=tuple(self.readings), decimals=self.decimals,
+            floor=self.floor, fit=self.fit)
+        return replace(scene, fit=self._fitting(scene)) if self.follows else scene
+
+    def _fitting(self, scene: Scene) -> Fit:
+        """A frame round all that is drawn, words aside, as large as that is at home."""
+        frames = scene.frames(scene.begin)
+        places = np.array([(frames[int(k)] @ (*place, 1))[:3] for item in self.items
+                           if item.shape in (ARROW, LINE, *SOLIDS) for k, *place in item.points])
+        low, high = places.min(axis=0), places.max(axis=0)
+        middle = tuple(((low + high) / 2).tolist())
+        return Fit(middle, float(np.linalg.norm(high - low)) / 2, self.thick)
 
     def _step(self, frame: int) -> Step:
         """The elementary motion that leads to a frame."""
@@ -251,15 +324,8 @@ class Sketch:
         return self._bodies - 1
 
     def add(self, gid: str, shape: str, style: str, points: Iterable[Point], text: str = "", *,
-            lift: float = 0.0, body: int | None = None, layer: str = "",
-            paper: bool = False) -> None:
+            lift: float = 0.0, body: int | None = None, **about: Any) -> None:
         """Add one drawn thing, as `Item` has it; a body of its own unless one is given."""
         body = self.body() if body is None else body
-        self.items.append(Item(gid, shape, style, tuple(points), body, layer, text,
-                               lift + self.over, paper))
-
-    def _ground(self) -> None:
-        reach = math.floor(0.9 * self.radius)
-        for k in range(-reach, reach + 1):
-            for line in (((k, -reach, 0), (k, reach, 0)), ((-reach, k, 0), (reach, k, 0))):
-                self.items.append(Item(f"ground-{len(self.items)}", LINE, "ground", at(0, *line)))
+        self.items.append(Item(gid, shape, style, tuple(points), body, text=text,
+                               lift=lift + self.over, **about))

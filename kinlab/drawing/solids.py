@@ -74,6 +74,12 @@ def shades(ramp: Sequence[str]) -> list[str]:
     return ["#" + bytes(colour).hex() for colour in np.floor(channels + 0.5).astype(np.uint8)]
 
 
+def pale(colour: str) -> str:
+    """A colour that steps back half of the way into white paper."""
+    mixed = [0.45 * int(colour[k:k + 2], 16) + 0.55 * 255 for k in (1, 3, 5)]
+    return "#" + bytes(round(channel) for channel in mixed).hex()
+
+
 # ---- outlines ----
 
 _COARSE, _FINE, _SMALL = 18, 36, 34.0          # sides of a circle, and px: the most of a coarse one

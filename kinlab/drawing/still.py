@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, replace
+from itertools import pairwise
 
 import numpy as np
 
@@ -33,7 +34,7 @@ from .scene import (
     Item,
     Scene,
 )
-from .solids import Across, Face, Round, faces, hull, shades
+from .solids import Across, Face, Round, faces, hull, pale, shades
 
 _PAPER = Camera(-90.0, 90.0)    # x to the right, y up
 _AXIS = (0.075, 30.0, 54.0)     # length of an arrow: of the smaller side; at least; at most (px)
@@ -42,6 +43,9 @@ _SKIN = 1.04                    # where an arrow begins, in radii of the solid t
 _HEAD = 9.0                     # px: of an arrow
 _LEAST_CUT = 0.02               # of a tube: shorter ends are not cut off at the floor
 _TOUCH = 0.05                   # of a joint's radius: what is sunk by less lies on the floor
+_COME = 13.0                    # px: from where words come that stand beside a point
+_KEPT_OFF = ("arc", "line")     # lines that words keep off,
+_PIECE = 4                      # in pieces of so many steps
 _PANE = 0.7                     # how much of what lies beyond the floor is covered
 _STROKES = (LINE, ARROW, FACE, HULL, TRACE)
 _UNFRAMED = ("axes", "ghost", "trace")  # layers that may leave the picture
@@ -322,12 +326,18 @@ class _Still:
             origin, _, tip = self._axis(item)
             start, anchor = self.lens.see(np.array([origin, tip]))[:, :2].tolist()
         else:
-            start, (anchor,) = None, self.lens.see(self._room(item))[:, :2].tolist()
+            anchor, *away = self.lens.see(self._room(item))[:, :2].tolist()
+            start = _beside(anchor, *away) if away else None
         return Label(tuple(anchor), start and tuple(start), *text_size(item.text))
 
     def _strokes(self) -> list[Bar]:
         ends = [self.lens.see(np.array(self._axis(item))[[0, 2]]) for item in self._of([AXIS])]
         ends += [self.lens.see(self._room(item)) for item in self._of([ARROW])]
+        for item in self._of([LINE]):
+            if item.part in _KEPT_OFF:
+                corners = self.lens.see(self._room(item))
+                stops = [*range(0, len(corners) - 1, _PIECE), len(corners) - 1]
+                ends += [corners[[k, m]] for k, m in pairwise(stops)]
         return [Bar(tuple(a[:2]), tuple(b[:2])) for a, b in ends]
 
     def _bar(self, body: Body) -> Bar:
@@ -338,9 +348,10 @@ class _Still:
 def _skins(piece: _Piece) -> Drawn:
     """The faces of a solid in their colours."""
     paint = PAINTS[piece.item.style]
-    ramp = shades(paint["ramp"])
-    hub = shades(paint["hub"]) if "hub" in paint else ramp
-    edge: Paint = {"stroke": paint["stroke"], "stroke-width": paint["stroke-width"],
+    back = pale if paint.get("faded") else str
+    ramp = [back(colour) for colour in shades(paint["ramp"])]
+    hub = [back(colour) for colour in shades(paint["hub"])] if "hub" in paint else ramp
+    edge: Paint = {"stroke": back(paint["stroke"]), "stroke-width": paint["stroke-width"],
                    "stroke-linejoin": "round"}
     stripe: Paint = {"stroke": "#ffffff", "stroke-width": 1.7, "stroke-linejoin": "round"}
     marks = []
@@ -372,6 +383,14 @@ def _lettering(item: Item, leader: Sequence | None, at: tuple[float, float]) -> 
     words: Paint = {"fill": paint.get("words") or paint.get("fill", INK)}
     lines = [Mark([np.array(leader)], thin)] if leader else []
     return [*lines, _text(item.text, at, words)]
+
+
+def _beside(anchor: Sequence[float], away: Sequence[float]) -> list[float]:
+    """From where words at a point come that stand away from another point."""
+    dx, dy = anchor[0] - away[0], anchor[1] - away[1]
+    d = float(np.hypot(dx, dy))
+    far = _COME / d if d >= 1 else 0.0
+    return [anchor[0] - far * dx, anchor[1] - far * dy]
 
 
 def _text(text: str, at: Sequence[float], paint: Paint) -> Mark:

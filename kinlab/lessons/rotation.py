@@ -27,8 +27,9 @@ def axes_view() -> LiveView:
         foot = _crank(sketch, theta, 0.5, 0.5, start)
         tip = at(frame, (cos(start), sin(start), 0))[0]
         sketch.line(f"legs-{name}", [origin_of(0), origin_of(foot), tip])
-    sketch.label("cos θ", (_crank(sketch, theta, 0.25, 0.25), 0.0, -0.1, 0.0))
-    sketch.label("sin θ", (_crank(sketch, theta, 0.75, 0.25), 0.22, 0.0, 0.0))
+    for text, place, (x, y) in (("cos θ", (0.25, 0.25), (0, 1)), ("sin θ", (0.75, 0.25), (-1, 0))):
+        middle = _crank(sketch, theta, *place)
+        sketch.label(text, at(middle, (0, 0, 0), (x, y, 0)))
     for letter, axis in (("x", (1, 0, 0)), ("y", (0, 1, 0))):
         sketch.reading(letter, letter + "₁ seen from frame 0 = {}",
                        sketch.vector(0, at(frame, axis)[0]))
@@ -70,7 +71,7 @@ def still_view() -> LiveView:
 def spatial_view(axis: str) -> LiveView:
     """The elementary rotation about one of the axes "x", "y", "z"."""
     k = "xyz".index(axis)
-    sketch = Sketch(f"Rotation about {axis}", 1.7, planar=False)
+    sketch = Sketch(f"Rotation about {axis}", 1.45, center=(0.2, 0.2, 0.2), planar=False)
     theta = sketch.knob(Knob.angle("theta", "θ", home=radians(35)))
     sketch.axes("0", 0, 1.4)
     frame = sketch.tip = sketch.move(ROTATE, k, 0.0, theta)
@@ -85,7 +86,7 @@ def spatial_view(axis: str) -> LiveView:
 
 def _turning(name: str) -> tuple[Sketch, int, int]:
     """A sketch with frame 0, the knob theta, and frame 1 turned by it."""
-    sketch = Sketch(name, 1.7)
+    sketch = Sketch(name, 1.5)
     theta = sketch.knob(Knob.angle("theta", "θ", home=radians(35)))
     sketch.axes("0", 0, 1.0)
     frame = sketch.frame("1", theta=theta, length=1.0)

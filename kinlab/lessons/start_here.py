@@ -29,7 +29,7 @@ def reach_view() -> LiveView:
     tip, (target,) = origin_of(sketch.tip), at(0, (*TARGET, 0))
     ring = 0.1 * circle(33) + [*TARGET, 0]
     sketch.add("target", LINE, "target", at(0, *ring), lift=sketch.radius)
-    sketch.label("target", (0, *(TARGET + [0.25, 0.16]), 0.0), "target")
+    sketch.label("target", at(0, (*(TARGET + [0.07, 0.07]), 0), (*TARGET, 0)), "target")
     sketch.add("gap", LINE, "miss", (tip, target), lift=sketch.radius)
     sketch.reading("p", "forward: the tip is at p = {} m", sketch.vector(0, tip))
     sketch.reading("gap", "inverse: still to go, target - p = {} m", sketch.vector(tip, target))

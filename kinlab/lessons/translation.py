@@ -18,14 +18,14 @@ from ..views.live import LiveView
 
 def sliding_view() -> LiveView:
     """Frame 1 slides; the point c keeps its place in the room."""
-    sketch = Sketch("A frame that slides, a point that does not", 4)
+    sketch = Sketch("A frame that slides, a point that does not", 3.3, center=(0.5, 0.5, 0))
     x, y = _knobs(sketch, "o", "o", (2, -1))
     frame, halfway = _frame(sketch, "1", x, y)
     point = sketch.point("c", 0, (1, 2))
     beside = sketch.move(TRANSLATE, Y, 0.0, y, parent=0)  # as high as the origin of frame 1
     sketch.line("legs-c1", [origin_of(frame), (beside, 1.0, 0.0, 0.0), point])
-    _triangle(sketch, frame, point, (halfway, 0.75, 1.05, 0.0), (0, 0.25, 1.25, 0.0))
-    sketch.label("o₁⁰", (halfway, -0.15, -0.35, 0.0))
+    _triangle(sketch, frame, point, origin_of(halfway), (halfway, 0.5, 1.0, 0.0),
+              (0, 0.5, 1.0, 0.0))
     _sum(sketch, frame, point)
     sketch.decimals = 2
     return LiveView(sketch.scene())
@@ -33,13 +33,14 @@ def sliding_view() -> LiveView:
 
 def riding_view() -> LiveView:
     """Frame 1 slides and takes the point c along."""
-    sketch = Sketch("A frame that slides and takes a point along", 5)
+    sketch = Sketch("A frame that slides and takes a point along", 3.8, center=(0.5, 1, 0))
+    sketch.follows = True
     x, y = _knobs(sketch, "o", "o", (-2, -1))
     frame, halfway = _frame(sketch, "1", x, y)
     point = sketch.point("c", frame, (1, 2))
     sketch.components("c1", point, frame)
-    _triangle(sketch, frame, point, (frame, 0.25, 1.15, 0.0), (halfway, 0.75, 1.15, 0.0))
-    sketch.label("o₁⁰", (halfway, 0.2, -0.3, 0.0))
+    _triangle(sketch, frame, point, origin_of(halfway), (frame, 0.5, 1.0, 0.0),
+              (halfway, 0.5, 1.0, 0.0))
     _sum(sketch, frame, point)
     sketch.decimals = 2
     return LiveView(sketch.scene())
@@ -48,6 +49,7 @@ def riding_view() -> LiveView:
 def chain_view() -> LiveView:
     """Two slides one after the other; dashed, the same two in the other order."""
     sketch = Sketch("Two slides, and the same two in the other order", 5.3)
+    sketch.follows = True
     first = _knobs(sketch, "o1", "o₁", (1.5, -1))
     second = _knobs(sketch, "o2", "o₂", (-0.5, 1.5))
     one, half_one = _frame(sketch, "1", *first)
@@ -57,9 +59,10 @@ def chain_view() -> LiveView:
     sketch.line("other-order", [start, middle, end])
     for name, tail, head in (("o1", start, corner), ("o2", corner, end), ("sum", start, end)):
         sketch.arrow(f"arrow-{name}", tail, head)
-    sketch.label("o₁⁰", (half_one, 0.1, -0.35, 0.0))
-    sketch.label("o₂¹", (half_two, -0.35, -0.2, 0.0))
-    sketch.label("o₂⁰", (_slide(sketch, *second, parent=half_one)[1], -0.3, 0.3, 0.0))
+    half = origin_of(_slide(sketch, *second, parent=half_one)[1])
+    sketch.label("o₁⁰", (origin_of(half_one), end))
+    sketch.label("o₂¹", (origin_of(half_two), start))
+    sketch.label("o₂⁰", (half, corner))
     sketch.reading("o2", "o₂⁰ = o₁⁰ + o₂¹ = {} + {} = {}", sketch.vector(0, one),
                    sketch.vector(one, two), sketch.vector(0, two))
     sketch.reading("other", "o₂¹ + o₁⁰ = {} + {} = {}", sketch.vector(0, other),
@@ -93,14 +96,17 @@ def _slide(sketch: Sketch, x: int, y: int, parent: int) -> tuple[int, int]:
     return ends[0], ends[1]
 
 
-def _triangle(sketch: Sketch, frame: int, point: Point, middle_1: Point, middle_0: Point) -> None:
-    """The arrows to frame 1, from there to the point, and from the room's origin to the point."""
-    origin = origin_of(frame)
-    sketch.arrow("arrow-o", origin_of(0), origin)
-    sketch.arrow("arrow-c1", origin, point)
-    sketch.arrow("arrow-c0", origin_of(0), point)
-    sketch.label("c¹", middle_1)
-    sketch.label("c⁰", middle_0)
+def _triangle(sketch: Sketch, frame: int, point: Point, *middles: Point) -> None:
+    """The arrows to frame 1, from there to the point, and from the room's origin to the point.
+
+    The name of each stands at its middle, outside the triangle.
+    """
+    room, origin = origin_of(0), origin_of(frame)
+    for name, text, tail, head, middle, across in zip(
+            ("o", "c1", "c0"), ("o₁⁰", "c¹", "c⁰"), (room, origin, room), (origin, point, point),
+            middles, (point, room, origin)):
+        sketch.arrow(f"arrow-{name}", tail, head)
+        sketch.label(text, (middle, across))
 
 
 def _sum(sketch: Sketch, frame: int, point: Point) -> None:

@@ -27,7 +27,10 @@ def test_the_dashed_legs_are_the_components_of_the_links(t1, t2):
     Q = P + polar(l2, t1 + t2)
     np.testing.assert_allclose(places(view, "legs-l₁C₁"), [[0, 0], [P[0], 0], P], atol=1e-12)
     np.testing.assert_allclose(places(view, "legs-l₂C₁₂"), [P, [Q[0], P[1]], Q], atol=1e-12)
-    np.testing.assert_allclose(places(view, "link-2"), [P, Q], atol=1e-12)
+    skin = 0.12648  # of a joint with a radius of 0.136
+    np.testing.assert_allclose(places(view, "link-1"), [polar(skin, t1), P - polar(skin, t1)],
+                               atol=1e-9)
+    np.testing.assert_allclose(places(view, "link-2"), [P + polar(skin, t1 + t2), Q], atol=1e-9)
     for name, right in dict(P_trig=P, P_H=P, leg=Q - P, Q_trig=Q, Q_H=Q).items():
         np.testing.assert_allclose(view.readings[name][0], right, atol=1e-12)
 

@@ -17,9 +17,10 @@ def combined() -> LiveView:
     c = sketch.point("c", frame, (1.5, 1.0))
     sketch.components("c", c, frame)
     sketch.arrow("c0", origin_of(0), c, "point")
-    sketch.label("c⁰", at(sketch.move(ROTATE, Z, 0, 2, half), (0.65, 0.75, 0))[0], "point")
+    turned = sketch.move(ROTATE, Z, 0, 2, half)
+    sketch.label("c⁰", (*at(turned, (0.75, 0.5, 0)), origin_of(frame)), "point")
     sketch.arrow("rotated", origin_of(frame), c)
-    sketch.label("R₁⁰ c¹", at(frame, (1.05, 0.3, 0))[0])
+    sketch.label("R₁⁰ c¹", (*at(frame, (0.75, 0.5, 0)), origin_of(0)))
     sketch.reading("c1", "c¹ = {}", sketch.vector(frame, c, frame))
     sketch.reading("o", "o₁⁰ = {}", sketch.vector(0, frame))
     sketch.reading("rotated", "R₁⁰ c¹ = {}", sketch.vector(frame, c))
@@ -33,9 +34,9 @@ def seen_back() -> LiveView:
     sketch, frame, half = _sliding_and_turning("A fixed point, seen from frame 1", (-1.2, -1.0))
     c = sketch.point("c", 0, (1.0, 2.0))
     sketch.arrow("c0", origin_of(0), c, "point")
-    sketch.label("c⁰", (0, 0.8, 1.0, 0.0), "point")
+    sketch.label("c⁰", ((0, 0.5, 1.0, 0.0), origin_of(frame)), "point")
     sketch.arrow("difference", origin_of(frame), c)
-    sketch.label("c⁰ − o₁⁰", at(half, (0.2, 1.3, 0))[0])
+    sketch.label("c⁰ − o₁⁰", (*at(half, (0.5, 1.0, 0)), origin_of(0)))
     sketch.reading("difference", "c⁰ − o₁⁰ = {}", sketch.vector(frame, c))
     sketch.reading("c1", "c¹ = (R₁⁰)ᵀ (c⁰ − o₁⁰) = {}", sketch.vector(frame, c, frame))
     sketch.reading("o0", "o₀¹ = −(R₁⁰)ᵀ o₁⁰ = {}", sketch.vector(frame, 0, frame))
@@ -46,13 +47,14 @@ def seen_back() -> LiveView:
 def chain(n: int = 3) -> LiveView:
     """A chain of n frames: every term of the successive expansion is one arrow."""
     sketch, offset = Sketch(f"A chain of {n} frames", 1.45 * (n + 1)), (1.2, 0.9)
+    sketch.follows = True
     homes = (50, -80, 60, -100, 60, 40)
     knobs = [sketch.theta(k, homes[k - 1]) for k in range(1, n + 1)]
-    frame, turns, length = 0, "", 0.75
-    sketch.axes("0", 0, length)
+    frame, turns = 0, ""
+    sketch.axes("0", 0)
     for k, knob in enumerate(knobs, start=1):
         before = frame
-        frame = sketch.frame(str(k), before, theta=knob, origin=offset, length=length)
+        frame = sketch.frame(str(k), before, theta=knob, origin=offset)
         name = f"o{_indices(k)}"
         _term(sketch, name, turns, before, origin_of(frame))
         turns += f"R{_indices(k)}"
@@ -64,7 +66,7 @@ def chain(n: int = 3) -> LiveView:
 
 def order() -> LiveView:
     """The same slide and turn in both orders, each along the frame's own axes."""
-    sketch, knob = _scrubbed("Slide and turn in both orders")
+    sketch, knob = _scrubbed("Slide and turn in both orders", 2.3, (1.05, 0.9, 0))
     a = _motions(sketch, "A", knob, 1.05, (TRANSLATE, 0), (ROTATE, 1))
     b = _motions(sketch, "B", knob, 1.05, (ROTATE, 0), (TRANSLATE, 1))
     return _compared(sketch, ("A (slide, turn)", a), ("B (turn, slide)", b))
@@ -72,7 +74,8 @@ def order() -> LiveView:
 
 def fixed() -> LiveView:
     """Slide, then turn: about the frame's own axes and about those of the room."""
-    sketch, knob = _scrubbed("Slide, then turn, about moving and about fixed axes")
+    sketch, knob = _scrubbed("Slide, then turn, about moving and about fixed axes", 1.9,
+                             (1.5, 1.35, 0))
     a = _motions(sketch, "A", knob, 1.05, (TRANSLATE, 0), (ROTATE, 1))
     f = _motions(sketch, "F", knob, 2.0, (ROTATE, 1), (TRANSLATE, 0))  # the later on the left
     return _compared(sketch, ("A (own axes)", a), ("F (fixed axes)", f))
@@ -81,6 +84,7 @@ def fixed() -> LiveView:
 def spatial() -> LiveView:
     """A frame in space: it slides along x, y, z, then turns about its z, then about its x."""
     sketch = Sketch("A frame in space", 3.4, planar=False)
+    sketch.follows = True
     slides = [sketch.knob(Knob.length(f"o_{axis}", f"o₁⁰, {axis}", -1.2, 1.2, home))
               for axis, home in zip("xyz", (1.0, 0.5, 0.8))]
     theta = sketch.knob(Knob.angle("theta", "θ", home=radians(-30), title="turn about own z"))
@@ -91,6 +95,7 @@ def spatial() -> LiveView:
     sketch.move(ROTATE, Z, 0, theta)
     sketch.tip = frame = sketch.move(ROTATE, X, 0, phi)
     sketch.axes("1", frame, 1.0)
+    sketch.drop(frame)
     c = sketch.point("c", frame, (1.0, 0.6, 0.5))
     sketch.arrow("o", origin_of(0), origin_of(frame))
     sketch.arrow("rotated", origin_of(frame), c)
@@ -101,16 +106,17 @@ def spatial() -> LiveView:
 
 def _sliding_and_turning(name: str, home: tuple[float, float]) -> tuple[Sketch, int, int]:
     """Frame 1 with its knobs, and a frame half-way to it that does not turn."""
-    sketch = Sketch(name, 4)
+    sketch = Sketch(name, 3.8)
+    sketch.follows = True
     x, y = (sketch.knob(Knob.length(f"o_{axis}", label, -2, 2, value))
             for axis, label, value in zip("xy", ("oₓ", "oᵧ"), home))
     theta = sketch.knob(Knob.angle("theta", "θ", home=radians(30)))
     sketch.move(TRANSLATE, X, 0, x, gain=0.5)
     half = sketch.move(TRANSLATE, Y, 0, y, gain=0.5)
-    sketch.axes("0", 0)
-    frame = sketch.frame("1", x=x, y=y, theta=theta)
+    sketch.axes("0", 0, 1.0)
+    frame = sketch.frame("1", x=x, y=y, theta=theta, length=1.0)
     sketch.arrow("o", origin_of(0), origin_of(frame))
-    sketch.label("o₁⁰", at(half, (-0.1, -0.25, 0))[0])
+    sketch.label("o₁⁰", at(half, (0, 0, 0), (0, 1, 0)))
     sketch.sweep("theta", frame, (0.7, 0, 0), text="θ")
     return sketch, frame, half
 
@@ -122,13 +128,13 @@ def _indices(k: int) -> str:
 def _term(sketch: Sketch, name: str, turns: str, frame: int, head: Point) -> None:
     """One arrow of the chain, with its name beside it and its numbers in a row of their own."""
     sketch.arrow(f"arrow-{name}", origin_of(frame), head)
-    sketch.label(name, at(frame, (1.0, 0.42, 0))[0])
+    sketch.label(name, at(frame, (0.6, 0.45, 0), (0.4, 0.7, 0)))
     sketch.reading(name, f"{turns} {name} = {{}}".strip(), sketch.vector(origin_of(frame), head))
 
 
-def _scrubbed(name: str) -> tuple[Sketch, int]:
-    sketch = Sketch(name, 3.5)
-    sketch.axes("0", 0)
+def _scrubbed(name: str, radius: float, center: tuple) -> tuple[Sketch, int]:
+    sketch = Sketch(name, radius, center=center)
+    sketch.axes("0", 0, 1.0)
     return sketch, sketch.knob(Knob("t", "motion", 0, 2, 1.5, step=0.1, whole=True))
 
 
@@ -144,7 +150,7 @@ def _motions(sketch: Sketch, name: str, knob: int, arc: float,
         frame = sketch.move(kind, axis, 0, knob, frame, gain=gain, start=start)
         marked = (0, 0, 0) if kind == TRANSLATE else (arc, 0, 0)
         sketch.sweep(f"path-{name}-{kind}", frame, marked, "dashed")
-    sketch.axes(name, frame)
+    sketch.axes(name, frame, 1.0)
     return frame
 
 

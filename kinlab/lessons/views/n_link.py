@@ -23,16 +23,15 @@ def both_conventions(arm: Arm, *links: int, q: Any = None) -> LiveView:
     modified, standard = to_modified(arm), to_standard(arm)
     sketch = _over(modified, f"{arm.name}, frames of both conventions", q,
                    {f"axis-{joint}" for i in links for joint in (i, i + 1)})
-    far, size = _branch(sketch, standard), 0.2 * sketch.radius
-    near = link_ends(modified)
+    far, near = _branch(sketch, standard), link_ends(modified)
     for i in links:
-        sketch.axes(str(i), near[i], size)
-        sketch.axes(f"{i}′", far[i], 0.7 * size)
+        sketch.axes(str(i), near[i], sharing=1)
+        sketch.axes(f"{i}′", far[i])
         for prime, frame in (("", near[i]), ("′", far[i])):
             sketch.reading(f"o{i}{prime}", f"o{subscript(i)}{prime} = {{}} {arm.unit}",
                            sketch.vector(0, frame))
     if not sketch.planar:  # come closer: what matters are the frames at both ends of the links
-        sketch.radius, sketch.focus = 0.55 * sketch.radius, near[links[0]]
+        sketch.radius, sketch.focus, sketch.fit = 0.55 * sketch.radius, near[links[0]], None
     return LiveView(sketch.scene())
 
 
@@ -77,7 +76,7 @@ def _branch(sketch: Sketch, arm: Arm) -> list[int]:
 
 def zyz_view() -> LiveView:
     """A frame turned by the three ZYZ angles, each drawn as an arc."""
-    sketch = Sketch("ZYZ angles", 1.6, planar=False)
+    sketch = Sketch("ZYZ angles", 1.45, center=(0.1, 0.1, 0.1), planar=False)
     knobs = [sketch.knob(Knob.angle(name, letter, home=radians(home)))
              for name, letter, home in (("phi", "φ", 40), ("theta", "θ", 50), ("psi", "ψ", 30))]
     sketch.axes("0", 0, 1.3)

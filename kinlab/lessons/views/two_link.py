@@ -17,15 +17,15 @@ _SHARES = tuple(share / 8 for share in range(9))
 def both_methods() -> LiveView:
     """The two-link arm: its dashed legs are the trigonometry, its frames the matrices."""
     sketch = Sketch("Two-link arm, by both methods", 4)
+    sketch.follows = True
     t1, t2 = sketch.theta(1, 35), sketch.theta(2, 25)
     l1, l2 = (sketch.knob(Knob.length(f"l_{k}", f"l{subscript(k)}", 0.5, high, home))
               for k, home, high in ((1, 2.0, 2.2), (2, 1.5, 1.8)))
-    sketch.axes("0", 0, 0.9)
-    first = sketch.frame("1", theta=t1, length=0.6)
-    second = sketch.frame("2", first, x=l1, theta=t2, length=0.6)
+    first = sketch.frame("1", theta=t1)
+    second = sketch.frame("2", first, x=l1, theta=t2)
     end = sketch.move(TRANSLATE, X, 0, l2)
-    sketch.label("O", (0, -0.25, -0.25, 0.0))
-    _links(sketch, [(first, ""), (second, "P"), (end, "Q")])
+    sketch.axes("0", 0, inside=sketch.thick, sharing=1)
+    _links(sketch, [(first, "O"), (second, "P"), (end, "Q")])
     _legs(sketch, ("l₁C₁", "l₁S₁"), first, l1, [t1])
     _legs(sketch, ("l₂C₁₂", "l₂S₁₂"), second, l2, [t1, t2])
     sketch.sweep("theta-1", first, (0.85, 0, 0), text="θ₁")
@@ -40,8 +40,9 @@ def both_methods() -> LiveView:
 def n_links(n: int = 4) -> LiveView:
     """A planar arm of n links; arcs show how far each link is turned from the x axis."""
     sketch = Sketch(f"Planar arm with {n} links", _LENGTH * n * 1.05)
+    sketch.follows = True
     knobs = [sketch.theta(k, home) for k, home in enumerate(_HOME[:n], start=1)]
-    sketch.axes("0", 0, 0.8)
+    sketch.axes("0", 0, inside=sketch.thick)
     frame, joints = 0, []
     for k, knob in enumerate(knobs, start=1):
         index, before = subscript(k), frame
@@ -57,9 +58,15 @@ def n_links(n: int = 4) -> LiveView:
 
 
 def _links(sketch: Sketch, joints: list[tuple[int, str]]) -> None:
-    """Links from joint to joint, and a dot with its name at each joint that has one."""
+    """Joints, links from each to the next, and a dot with its name where there is one.
+
+    The frame before that of a joint is not turned by it yet.
+    """
+    sketch.base()
     for k, ((start, _), (stop, _)) in enumerate(pairwise(joints), start=1):
-        sketch.line(f"link-{k}", (origin_of(start), origin_of(stop)), "link")
+        last = k == len(joints) - 1
+        sketch.limb(k, start, stop if last else stop - 1, last)
+        sketch.hinge(k, start)
     for frame, name in joints:
         if name:
             sketch.point(name, frame, (0, 0))
@@ -77,8 +84,8 @@ def _legs(sketch: Sketch, names: tuple[str, str], frame: int, length: int,
     sketch.line(f"legs-{names[0]}", map(origin_of, (frame, corner, end)))
     below = _turned(sketch, _folded(sketch, frame, length, turns, (0.25, -2, 0.25)), turns, 1)
     beside = _turned(sketch, _folded(sketch, corner, length, turns, (-0.25, 2, 0.25)), turns, -1)
-    sketch.label(names[0], at(below, (0, -0.2, 0))[0])
-    sketch.label(names[1], at(beside, (0.33, 0, 0))[0])
+    sketch.label(names[0], at(below, (0, 0, 0), (0, 1, 0)))
+    sketch.label(names[1], at(beside, (0, 0, 0), (-1, 0, 0)))
 
 
 def _folded(sketch: Sketch, frame: int, length: int, turns: list[int],
@@ -101,7 +108,7 @@ def _bearing(sketch: Sketch, name: str, level: int, turns: list[int]) -> None:
     arc = [_turned(sketch, level, turns, share) for share in _SHARES]
     sketch.line(f"level-{name}", at(level, (0, 0, 0), (0.7, 0, 0)))
     sketch.line(f"arc-{name}", [at(frame, (0.5, 0, 0))[0] for frame in arc], "arc")
-    sketch.label(name, at(arc[4], (0.72, 0, 0))[0], "angle")
+    sketch.label(name, at(arc[4], (0.5, 0, 0), (0, 0, 0)), "angle")
 
 
 def _both_readings(sketch: Sketch, second: int, end: int, knobs: tuple[int, ...]) -> None:

@@ -15,6 +15,7 @@ from ...drawing.sketch import Sketch
 from ...views.live import LiveView
 
 L1, L2 = 1.0, 0.6  # m, the arm of the lesson
+_THICK = 0.06      # m, radius of its joints
 # Curves, and the points of a curve about O and about P: as many as make it look round.
 _LINES, _WIDE, _SMALL = (np.linspace(0, 1, count) for count in (9, 41, 29))
 _TRACE = Switch("trace", "Trace", "Path of the tool")
@@ -22,17 +23,17 @@ _TRACE = Switch("trace", "Trace", "Path of the tool")
 
 def ring_view() -> LiveView:
     """The two-link arm, its two lengths, and the circles of the stretched and the folded arm."""
-    sketch = Sketch("Two links and the ring they reach", 2.35, unit="m")
+    sketch = Sketch("Two links and the ring they reach", 2.3, unit="m", grid=0.5)
     t1, t2 = sketch.theta(1, 35), sketch.theta(2, 60)
     l1, l2 = (sketch.knob(Knob.length(f"l_{k}", f"l{subscript(k)}", 0.2, 1.05, home, "m"))
               for k, home in ((1, L1), (2, L2)))
     for name, gain, style in (("stretched", 1, "first"), ("folded", -1, "second")):
         _circle(sketch, name, l1, l2, gain, style)
     first = sketch.move(ROTATE, Z, 0, t1, 0)
-    elbow = sketch.move(TRANSLATE, X, 0, l1)
-    sketch.move(ROTATE, Z, 0, t2)
+    straight = sketch.move(TRANSLATE, X, 0, l1)
+    elbow = sketch.move(ROTATE, Z, 0, t2)
     tool = sketch.move(TRANSLATE, X, 0, l2)
-    _arm(sketch, elbow, tool)
+    _arm(sketch, first, straight, elbow, tool)
     sketch.line("reach", map(origin_of, (0, tool)))
     _circle_names(sketch, l1, l2)
     sketch.reading("p", "tool: p⁰ = {} m", sketch.vector(0, tool))
@@ -54,7 +55,8 @@ def limits_view(theta_1: tuple[float, float] = (-20, 130),
         Limits to begin with, in degrees: from -180...0 to 0...180, and from -180...50 to
         60...180.
     """
-    sketch = Sketch("Two links with joint limits", 1.75, unit="m", grid=False)  # curves are one
+    sketch = Sketch("Two links with joint limits", 1.8, unit="m", grid=0.5)
+    sketch.follows = True
     ends = ((-180, 0, 0, 180), (-180, 50, 60, 180))
     limits = [_limits(sketch, k, *pair) for k, pair in enumerate(zip((theta_1, theta_2), ends), 1)]
     sweeps = [sketch.knob(Knob(f"s_{k}", f"s{subscript(k)}", 0, 1, home, "%", 0.01, 1.0,
@@ -62,9 +64,11 @@ def limits_view(theta_1: tuple[float, float] = (-20, 130),
               for k, home in ((1, 0.5), (2, 0.4))]
     _mesh(sketch, *limits)
     _edges(sketch, *limits)
-    elbow = sketch.move(TRANSLATE, X, L1, None, _swept(sketch, 0, limits[0], sweeps[0]))
-    tool = sketch.move(TRANSLATE, X, L2, None, _swept(sketch, elbow, limits[1], sweeps[1]))
-    _arm(sketch, elbow, tool)
+    first = _swept(sketch, 0, limits[0], sweeps[0])
+    straight = sketch.move(TRANSLATE, X, L1)
+    elbow = _swept(sketch, straight, limits[1], sweeps[1])
+    tool = sketch.move(TRANSLATE, X, L2)
+    _arm(sketch, first, straight, elbow, tool)
     sketch.reading("p", "tool: p⁰ = {} m", sketch.vector(0, tool))
     closing = [(-180, 180, -180, 180), (-90, 90, -180, 180), (-90, 90, 0, 180), (-90, 90, 0, 120),
                (-90, 90, 45, 120), (-20, 130, 0, 150)]
@@ -74,12 +78,16 @@ def limits_view(theta_1: tuple[float, float] = (-20, 130),
 # ---- Parts of both ------------------------------------------------------------------------
 
 
-def _arm(sketch: Sketch, elbow: int, tool: int) -> None:
-    for name, ends in (("link-1", (0, elbow)), ("link-2", (elbow, tool))):
-        sketch.line(name, map(origin_of, ends), "link")
+def _arm(sketch: Sketch, first: int, straight: int, elbow: int, tool: int) -> None:
+    """The two links, along the frames turned by joint 1, at the elbow, turned by joint 2, at Q."""
+    sketch.thick, sketch.tip = _THICK, tool
+    sketch.base()
+    sketch.limb(1, first, straight)
+    sketch.limb(2, elbow, tool, last=True)
+    for joint, frame in ((1, first), (2, elbow)):
+        sketch.hinge(joint, frame)
     for name, frame in (("O", 0), ("P", elbow), ("Q", tool)):
         sketch.point(name, frame, (0, 0))
-    sketch.tip = tool
 
 
 def _with_trace(sketch: Sketch, poses: list) -> LiveView:
@@ -174,11 +182,10 @@ def _edges(sketch: Sketch, first: tuple[int, int], second: tuple[int, int]) -> N
     bent = [sketch.move(ROTATE, Z, 0, second[0], frame, start=0.0)  # 0, or the lowest if above
             for frame in _shoulders(sketch, first, _WIDE)]
     sketch.line("straightest", (at(frame, (L2, 0, 0))[0] for frame in bent), "first")
-    (beside,) = at(bent[round(0.6 * len(bent))], (L2 + 0.1, 0, 0))
-    sketch.label("straightest", beside, "first")
+    sketch.label("straightest", at(bent[round(0.6 * len(bent))], (L2, 0, 0), (0, 0, 0)), "first")
     for k, word in enumerate(("from", "to")):
         elbow, other = _shoulders(sketch, first, (k, 0.25 + 0.5 * k))
-        for text, frame, share, beyond in ((f"θ₁ {word}", elbow, 0.7 - 0.2 * k, 0.12),
-                                           (f"θ₂ {word}", other, k, -0.1)):
-            place = at(_share(sketch, frame, second, share), (L2 + beyond, 0, 0))[0]
-            sketch.label(text, place, "angle")
+        for text, frame, share, side in ((f"θ₁ {word}", elbow, 0.7 - 0.2 * k, -1),
+                                         (f"θ₂ {word}", other, k, 1)):
+            edge = _share(sketch, frame, second, share)
+            sketch.label(text, at(edge, (L2, 0, 0), (L2 + 0.1 * side, 0, 0)), "angle")
