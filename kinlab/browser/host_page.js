@@ -3,6 +3,7 @@
 import { mount } from "./mount.js";
 import { button, group, tidy } from "./dom.js";
 import { clip } from "./steps.js";
+import { followTerms } from "./terms.js";
 
 /** @import { Joints, Knob, Live } from "./types.js" */
 
@@ -97,6 +98,7 @@ function start(view) {
   const joints = pageJoints(q), knobs = scene.knobs;
   view.replaceChildren();
   const live = mount(view, scene, joints, formula);
+  followTerms(view, () => live);
   const opening = document.querySelectorAll(".kl-page > .kl-opening > *");
   view.querySelector(".kl-head")?.prepend(...opening);
   if (!("address" in view.dataset)) return;

@@ -7,15 +7,19 @@ import { follower } from "./chase.js";
 import { Controls } from "./controls.js";
 import { make, write } from "./dom.js";
 import { inRoom, seenFrom } from "./frames.js";
+import { Highlight } from "./highlight.js";
 import { missed, poseTable, readingLines } from "./panels.js";
 import { Picture } from "./picture.js";
 import { Plan } from "./plan.js";
 import { Mover } from "./player.js";
 import { grasp, orbit } from "./pointer.js";
+import { Pointing } from "./pointing.js";
 import { Walk, stages } from "./stages.js";
 import { minus } from "./vectors.js";
 
-/** @import { Joints, Knob, Lens, Live, Looks, Scene, Solved, TargetScene } from "./types.js" */
+/** @import { Source } from "./pointing.js" */
+/** @import { Frame, Joints, Knob, Lens, Live, Looks, Scene, Solved } from "./types.js" */
+/** @import { Spot, TargetScene } from "./types.js" */
 
 const MOVE = 700, TOUR = 900;                       // ms from pose to pose
 const HEARD = 400;                                  // ms: a screen reader need not hear every step
@@ -68,14 +72,17 @@ class View {
 
   release = () => {};
 
+  unpoint = () => {};
+
   /**
    * @param {HTMLElement} element
    * @param {Scene} scene
    * @param {Joints} joints
    * @param {string} formula
    * @param {Looks | null} before how another scene was looked at in this place
+   * @param {Pointing} pointing
    */
-  constructor(element, scene, joints, formula, before) {
+  constructor(element, scene, joints, formula, before, pointing) {
     this.element = element;
     this.controls = before?.controls ?? new Controls();
     this.plan = before?.plan ?? new Plan(this.controls.node);
@@ -97,6 +104,7 @@ class View {
     this.formula.innerHTML = formula;               // MathML that kinlab has made
     this.chase = scene.target && follower(/** @type {TargetScene} */ (scene), joints,
                                           (found) => { this.solved = found; });
+    this.highlight = new Highlight(this, pointing);
     this.mover = new Mover(() => this.playing(false));
     this.walk = new Walk(scene);
     this.bar = new Bar(scene, this.acts(), this.walk.has);
@@ -123,6 +131,7 @@ class View {
     this.release = orbit(box, picture, () => this.redraw(), () => this.look(this.preset),
                          this.chase && grasp(picture, this.chase));
     this.silence = this.joints.listen(() => this.moved());
+    this.unpoint = this.highlight.begin();
     this.draw();
     this.sizes.observe(box);
   }
@@ -223,9 +232,9 @@ class View {
 
   draw() {
     this.pending = 0;
-    const { scene, pose, lines } = this, q = this.joints.read(), all = this.picture.draw(q);
-    pose?.update(seenFrom(all[scene.tip], all[scene.pose?.base ?? 0]));
-    lines.update(all, q);
+    const { scene, lines } = this, q = this.joints.read(), all = this.picture.draw(q);
+    const changed = [...this.pose?.update(this.posed(all)) ?? [], ...lines.update(all, q)];
+    this.highlight.follow(changed, q);
     if (this.chase) write(this.error, missed(/** @type {TargetScene} */ (scene), all, this.solved));
     write(this.shrunk, drawnAt(this.picture.lens));
     this.note(this.said);
@@ -252,6 +261,15 @@ class View {
     this.remark.classList.toggle("kl-warns", Boolean(wrong));
   }
 
+  /** @param {Frame[]} all */
+  posed(all) { return seenFrom(all[this.scene.tip], all[this.scene.pose?.base ?? 0]); }
+
+  /**
+   * @param {Spot | null} spot
+   * @param {Source} [source]
+   */
+  point(spot, source) { this.highlight.pointing.point(spot, source); }
+
   describe() {
     const state = [this.pose, this.lines].map((panel) => panel?.text()).filter(Boolean).join("; ");
     this.picture.svg.setAttribute("aria-label", `${this.scene.name}, ${state}`);
@@ -262,6 +280,7 @@ class View {
     this.mover.stop();
     this.silence();
     this.release();
+    this.unpoint();
     cancelAnimationFrame(this.pending);
     cancelAnimationFrame(this.settling);
     clearTimeout(this.heard);
@@ -285,10 +304,12 @@ class View {
  * @param {Joints} joints in radians and lengths
  * @param {string} formula MathML to stand below, or ""
  * @param {Looks | null} before what leave() returned, to look at another arm in the same way
+ * @param {Pointing} pointing shared with what stands beside the view and points at it
  * @returns {Live}
  */
-export function mount(element, scene, joints, formula = "", before = null) {
-  const view = new View(element, scene, joints, formula, before);
+export function mount(element, scene, joints, formula = "", before = null,
+                      pointing = new Pointing()) {
+  const view = new View(element, scene, joints, formula, before, pointing);
   view.show(before);
   return view;
 }
