@@ -103,7 +103,7 @@ function start(view) {
   view.querySelector(".kl-head")?.prepend(...opening);
   if (!("address" in view.dataset)) return;
   followAddress(knobs, joints, live);
-  view.querySelector(".kl-more")?.append(group("Share",
+  view.querySelector(".kl-more")?.prepend(group("Share",
     button("Copy link", "Copy a link to this pose", () => copyLink(knobs, joints, live))));
 }
 

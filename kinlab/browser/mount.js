@@ -6,6 +6,7 @@ import { Bar } from "./bar.js";
 import { follower } from "./chase.js";
 import { Controls } from "./controls.js";
 import { make, write } from "./dom.js";
+import { fitFormula } from "./formula.js";
 import { inRoom, seenFrom } from "./frames.js";
 import { Highlight } from "./highlight.js";
 import { missed, poseTable, readingLines } from "./panels.js";
@@ -74,6 +75,8 @@ class View {
 
   unpoint = () => {};
 
+  loosen = () => {};
+
   /**
    * @param {HTMLElement} element
    * @param {Scene} scene
@@ -124,6 +127,7 @@ class View {
     plan.put("stage", box, this.bar.node);
     plan.put("side", pose?.node, lines.node, this.remark);
     if (this.formula.innerHTML) plan.put("below", this.formula);
+    this.loosen = fitFormula(this.formula, scene.pose?.columns ?? []);
     this.controls.take(scene.knobs, this.joints, () => this.note(this.said));
     for (const { layer, on } of scene.layers) this.switch(layer, before?.shown[layer] ?? on);
     this.look(before?.began === scene.preset ? before.preset : scene.preset);
@@ -281,6 +285,7 @@ class View {
     this.silence();
     this.release();
     this.unpoint();
+    this.loosen();
     cancelAnimationFrame(this.pending);
     cancelAnimationFrame(this.settling);
     clearTimeout(this.heard);

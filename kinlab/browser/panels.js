@@ -9,6 +9,13 @@ import { dot } from "./vectors.js";
 /** @import { TargetScene, Vector, Volume } from "./types.js" */
 
 /**
+ * What explains a column where it stands, if that is one word.
+ * @param {string | undefined} title
+ */
+const shortly = (title) =>
+  title && !title.includes(" ") ? [make("span", { class: "kl-short" }, title)] : [];
+
+/**
  * The matrix of the tip's frame: axes and origin as columns, or only `rows` axes as columns.
  * @param {Pose} pose
  */
@@ -21,7 +28,7 @@ export function poseTable(pose) {
   const head = make("tr", {}, ...pose.columns.map(({ name, title }, k) =>
     make("th", { ...style(k), scope: "col", title,
                  "aria-label": title ? `${name}, ${title}` : null },
-         k === rows && pose.unit ? `${name} (${pose.unit})` : name)));
+         k === rows && pose.unit ? `${name} (${pose.unit})` : name, ...shortly(title))));
   const cells = pose.columns.map((_, i) => pose.columns.map((__, k) =>   // named as in formulas
     make("td", { ...style(k), "data-entry": `${i + 1},${k + 1}` })));
   const table = make("table", { class: "kl-pose" }, make("caption", {}, pose.title),

@@ -178,8 +178,7 @@ def arm_switches(show: Any) -> tuple[Switch, ...]:
     return tuple(Switch(layer, *_SWITCHES[layer], layer in (*on, "floor")) for layer in LAYERS)
 
 
-_COLUMNS = (("n", "normal vector"), ("s", "sliding vector"), ("a", "approach vector"),
-            ("p", "position"))
+_COLUMNS = (("n", "normal"), ("s", "sliding"), ("a", "approach"), ("p", "position"))
 
 
 def tool_table(arm: Arm, size: float) -> PoseTable:
