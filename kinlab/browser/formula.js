@@ -71,6 +71,9 @@ export function fitFormula(node, names) {
     tabs.forEach((tab, k) => tab.setAttribute("aria-pressed", String(k === column)));
     lines.replaceChildren(...rows.map(({ children }, row) =>
       line(children[column], names[column].name, row)));
+    /** @type {NodeListOf<MathMLElement>} */
+    const factors = lines.querySelectorAll("[data-factor]");
+    factors.forEach((factor, k) => { factor.tabIndex = k ? -1 : 0; });
   };
   const columns = make("div", { class: "kl-columns", hidden: "" },
     group("Columns of the matrix", ...tabs), lines);

@@ -92,9 +92,10 @@ export function lightUp(root, pointed) {
  * @param {HTMLElement} formula
  */
 export function walkThrough(formula) {
-  const factors = /** @type {MathMLElement[]} */ ([...formula.querySelectorAll("[data-factor]")]);
-  factors.forEach((factor, k) => { factor.tabIndex = k ? -1 : 0; });
+  const all = () => /** @type {MathMLElement[]} */ ([...formula.querySelectorAll("[data-factor]")]);
+  all().forEach((factor, k) => { factor.tabIndex = k ? -1 : 0; });
   formula.addEventListener("keydown", (event) => {
+    const factors = all().filter((factor) => factor.getClientRects().length);
     const at = factors.indexOf(/** @type {MathMLElement} */ (event.target));
     const step = { ArrowRight: 1, ArrowDown: 1, ArrowLeft: -1, ArrowUp: -1 }[event.key];
     const next = at >= 0 && step && factors[at + step];
