@@ -4,10 +4,19 @@
 
 import { frames, velocities } from "./frames.js";
 import { clip } from "./steps.js";
-import { cross, dot } from "./vectors.js";
+import { cross, dot, minus, times } from "./vectors.js";
 
-/** @import { Drive, Frame, Knob, Scene, Solved, TargetScene, Triple } from "./types.js" */
-/** @typedef {{ q: number[], all: Frame[], e: Triple, cost: number }} Look */
+/** @import { Drive, Knob, Solved, TargetScene, Triple } from "./types.js" */
+/** @typedef {{ e: Triple, columns: () => Triple[] }} Aim how far off, and what each mover does */
+/** @typedef {Aim & { q: number[], cost: number }} Look */
+/**
+ * @typedef {object} Descent
+ * @property {Knob[]} knobs all of the scene's
+ * @property {number[]} movers numbers of those that may move
+ * @property {number} radius the picture's: what counts as one of a length, as a radian of an angle
+ * @property {number} idle the gain, as a part of the cost, that is none
+ * @property {(q: number[]) => Aim} aim lengths in it are parts of the radius
+ */
 
 const STEPS = 60, CLOSE = 1e-7, IDLE = 1e-12;      // lengths as parts of the picture's radius
 const FULL_TURN = 2 * Math.PI - 1e-9;
@@ -31,7 +40,7 @@ function damped(columns, e, damping) {
  * @param {number} value
  * @param {Pick<Knob, "low" | "high" | "unit">} knob
  */
-function kept(value, { low, high, unit }) {
+export function kept(value, { low, high, unit }) {
   if (unit === "°" && high - low >= FULL_TURN) {
     const turns = Math.floor((value - low) / (2 * Math.PI));
     return value - 2 * Math.PI * turns;
@@ -40,20 +49,17 @@ function kept(value, { low, high, unit }) {
 }
 
 /**
- * Joint values whose tool point is at the goal, or as near as steps from q lead.
- * @param {TargetScene} scene
+ * Values of knobs that bring what is aimed to its goal, or as near as steps from q lead.
+ * @param {Descent} descent
  * @param {number[]} q
- * @param {Triple} goal
- * @returns {Solved}
  */
-export function reach(scene, q, goal) {
-  const { motions, radius, target } = scene, { tip, joints: n } = target;
-  const joints = scene.knobs.slice(0, n);
-  const sizes = joints.map(({ unit }) => unit === "°" ? 1 : radius);
+export function descend({ knobs, movers, radius, idle, aim }, q) {
+  const moving = movers.map((knob) => knobs[knob]);
+  const sizes = moving.map(({ unit }) => unit === "°" ? 1 : radius);
   /** @type {(at: number[]) => Look} */
   const look = (at) => {
-    const all = frames(motions, at), e = goal.map((g, k) => (g - all[tip][3][k]) / radius);
-    return { q: at, all, e, cost: dot(e, e) };
+    const aimed = aim(at);
+    return { ...aimed, q: at, cost: dot(aimed.e, aimed.e) };
   };
   let best = look(q.slice()), damping = 1e-3, steps = 0, pushed = false, now = best;
   while (steps < STEPS && best.cost > CLOSE * CLOSE) {
@@ -63,37 +69,65 @@ export function reach(scene, q, goal) {
     if (gain > 0) now = next;
     damping = gain > 0 ? Math.max(1e-6, damping / 4) : damping * 4;
     if (now.cost < best.cost) best = now;
-    if (gain > 1e-4 * now.cost || (gain <= 0 && damping < 1e4)) continue;
+    if (gain > idle * now.cost || (gain <= 0 && damping < 1e4)) continue;
     if (pushed) break;
     // A stretched arm cannot tell on which side to fold: push it a little, once.
     pushed = true;
     damping = 1e-3;
-    now = look(now.q.map((value, i) =>
-      i < n ? kept(value + 0.03 * (-1) ** i * sizes[i], joints[i]) : value));
+    now = look(put(now.q, moving.map((knob, i) =>
+      kept(now.q[movers[i]] + 0.03 * (-1) ** i * sizes[i], knob))));
   }
   return { q: best.q, steps, error: Math.sqrt(best.cost) * radius };
+
+  /**
+   * All values, with those of the movers in their places.
+   * @param {number[]} from
+   * @param {number[]} values
+   */
+  function put(from, values) {
+    const all = from.slice();
+    movers.forEach((knob, i) => { all[knob] = values[i]; });
+    return all;
+  }
 
   /**
    * @param {Look} from
    * @param {number} mu
    */
   function step(from, mu) {
-    const columns = velocities(motions, from.all, tip, n)
-      .map((column, i) => column.map((v) => v * sizes[i] / radius));
+    const columns = from.columns().map((column, i) => times(column, sizes[i] / radius));
+    const before = movers.map((knob) => from.q[knob]);
     for (let round = 0; ; round++) {
       const y = damped(columns, from.e, mu * (from.cost + 1e-9));
       const moves = columns.map((column, i) => dot(column, y) * sizes[i]);
       // A joint that does not move the tool stays where it is, rounding aside.
-      const ahead = from.q.map((value, i) =>
+      const ahead = before.map((value, i) =>
         Math.abs(moves[i]) > IDLE * sizes[i] ? value + moves[i] : value);
-      const held = joints.map((joint, i) => kept(ahead[i], joint));
+      const held = moving.map((knob, i) => kept(ahead[i], knob));
       // A joint that stands at its limit and would go on leaves the work to the others.
-      const stuck = joints.flatMap((joint, i) =>
-        held[i] === from.q[i] && ahead[i] !== held[i] ? [i] : []);
-      if (!stuck.length || round === n) return [...held, ...from.q.slice(n)];
+      const stuck = held.flatMap((value, i) =>
+        value === before[i] && ahead[i] !== value ? [i] : []);
+      if (!stuck.length || round === movers.length) return put(from.q, held);
       for (const i of stuck) columns[i] = [0, 0, 0];
     }
   }
+}
+
+/**
+ * Joint values whose tool point is at the goal, or as near as steps from q lead.
+ * @param {TargetScene} scene
+ * @param {number[]} q
+ * @param {Triple} goal
+ * @returns {Solved}
+ */
+export function reach({ knobs, motions, radius, target: { tip, joints } }, q, goal) {
+  const aim = (/** @type {number[]} */ at) => {
+    const all = frames(motions, at);
+    return { e: times(minus(goal, all[tip][3]), 1 / radius),
+             columns: () => velocities(motions, all, tip, joints) };
+  };
+  const movers = knobs.slice(0, joints).map((_, i) => i);
+  return descend({ knobs, movers, radius, idle: 1e-4, aim }, q);
 }
 
 /**
@@ -129,18 +163,6 @@ export function follower(scene, joints, tell) {
     write(found.q);
   };
   return {
-    /**
-     * Take the target to a place in the room.
-     * @param {Triple} place
-     */
-    to(place) {
-      const q = joints.read().slice();
-      knobs.forEach((knob, k) => {
-        const { low, high } = scene.knobs[knob];
-        q[knob] = clip(place[k], low, high);
-      });
-      solve(q);
-    },
     /**
      * Joints that Play moves: the target leads.
      * @type {Drive}

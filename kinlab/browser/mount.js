@@ -6,21 +6,18 @@ import { Bar } from "./bar.js";
 import { follower } from "./chase.js";
 import { Controls } from "./controls.js";
 import { make, write } from "./dom.js";
-import { fitFormula } from "./formula.js";
 import { inRoom, seenFrom } from "./frames.js";
-import { Highlight } from "./highlight.js";
+import { Grasp } from "./grasp.js";
+import { seenFlat } from "./holds.js";
 import { missed, poseTable, readingLines } from "./panels.js";
 import { Picture } from "./picture.js";
 import { Plan } from "./plan.js";
 import { Mover } from "./player.js";
-import { grasp, orbit } from "./pointer.js";
-import { Pointing } from "./pointing.js";
+import { orbit } from "./pointer.js";
 import { Walk, stages } from "./stages.js";
 import { minus } from "./vectors.js";
 
-/** @import { Source } from "./pointing.js" */
-/** @import { Frame, Joints, Knob, Lens, Live, Looks, Scene, Solved } from "./types.js" */
-/** @import { Spot, TargetScene } from "./types.js" */
+/** @import { Joints, Knob, Lens, Live, Looks, Scene, Solved, TargetScene } from "./types.js" */
 
 const MOVE = 700, TOUR = 900;                       // ms from pose to pose
 const HEARD = 400;                                  // ms: a screen reader need not hear every step
@@ -73,19 +70,14 @@ class View {
 
   release = () => {};
 
-  unpoint = () => {};
-
-  loosen = () => {};
-
   /**
    * @param {HTMLElement} element
    * @param {Scene} scene
    * @param {Joints} joints
    * @param {string} formula
    * @param {Looks | null} before how another scene was looked at in this place
-   * @param {Pointing} pointing
    */
-  constructor(element, scene, joints, formula, before, pointing) {
+  constructor(element, scene, joints, formula, before) {
     this.element = element;
     this.controls = before?.controls ?? new Controls();
     this.plan = before?.plan ?? new Plan(this.controls.node);
@@ -96,9 +88,11 @@ class View {
     this.shrunk = make("div", { class: "kl-shrunk", "aria-hidden": "true" });
     this.box = make("div", { class: "kl-picture", tabindex: "0", role: "application",
       "data-lm-suppress-shortcuts": "true",
-      "style": `--kl-aspect: ${scene.size.join(" / ")}`,
-      "aria-label": `${scene.name}: picture of the arm. Arrow keys turn the view, ` +
-                    "plus and minus zoom, 0 resets." }, this.picture.svg, this.shrunk);
+      "style": `--kl-aspect: ${scene.size.join(" / ")}` }, this.picture.svg, this.shrunk);
+    this.hands = new Grasp(this.box, this.picture, joints, () => this.redraw());
+    this.box.setAttribute("aria-label", `${scene.name}: picture. ` +
+      `${seenFlat(scene) ? "" : "Arrow keys turn the view, "}` +
+      `${seenFlat(scene) ? "P" : "p"}lus and minus zoom, 0 resets.${this.hands.help()}`);
     this.pose = scene.pose && poseTable(scene.pose);
     this.lines = readingLines(scene);
     this.error = make("div", { class: "kl-number" });
@@ -107,7 +101,6 @@ class View {
     this.formula.innerHTML = formula;               // MathML that kinlab has made
     this.chase = scene.target && follower(/** @type {TargetScene} */ (scene), joints,
                                           (found) => { this.solved = found; });
-    this.highlight = new Highlight(this, pointing);
     this.mover = new Mover(() => this.playing(false));
     this.walk = new Walk(scene);
     this.bar = new Bar(scene, this.acts(), this.walk.has);
@@ -127,15 +120,13 @@ class View {
     plan.put("stage", box, this.bar.node);
     plan.put("side", pose?.node, lines.node, this.remark);
     if (this.formula.innerHTML) plan.put("below", this.formula);
-    this.loosen = fitFormula(this.formula, scene.pose?.columns ?? []);
     this.controls.take(scene.knobs, this.joints, () => this.note(this.said));
     for (const { layer, on } of scene.layers) this.switch(layer, before?.shown[layer] ?? on);
     this.look(before?.began === scene.preset ? before.preset : scene.preset);
     if (before?.began === scene.preset) picture.camera = before.camera;
     this.release = orbit(box, picture, () => this.redraw(), () => this.look(this.preset),
-                         this.chase && grasp(picture, this.chase));
+                         this.hands);
     this.silence = this.joints.listen(() => this.moved());
-    this.unpoint = this.highlight.begin();
     this.draw();
     this.sizes.observe(box);
   }
@@ -236,11 +227,13 @@ class View {
 
   draw() {
     this.pending = 0;
-    const { scene, lines } = this, q = this.joints.read(), all = this.picture.draw(q);
-    const changed = [...this.pose?.update(this.posed(all)) ?? [], ...lines.update(all, q)];
-    this.highlight.follow(changed, q);
+    const { scene, pose, lines } = this, q = this.joints.read(), all = this.picture.draw(q);
+    pose?.update(seenFrom(all[scene.tip], all[scene.pose?.base ?? 0]));
+    lines.update(all, q);
     if (this.chase) write(this.error, missed(/** @type {TargetScene} */ (scene), all, this.solved));
     write(this.shrunk, drawnAt(this.picture.lens));
+    this.hands.drawn();
+    if (this.picture.steady.moving) this.redraw();  // back to its frame, after a drag
     this.note(this.said);
     this.settle();
     clearTimeout(this.heard);
@@ -265,18 +258,10 @@ class View {
     this.remark.classList.toggle("kl-warns", Boolean(wrong));
   }
 
-  /** @param {Frame[]} all */
-  posed(all) { return seenFrom(all[this.scene.tip], all[this.scene.pose?.base ?? 0]); }
-
-  /**
-   * @param {Spot | null} spot
-   * @param {Source} [source]
-   */
-  point(spot, source) { this.highlight.pointing.point(spot, source); }
-
   describe() {
     const state = [this.pose, this.lines].map((panel) => panel?.text()).filter(Boolean).join("; ");
     this.picture.svg.setAttribute("aria-label", `${this.scene.name}, ${state}`);
+    this.hands.describe();
   }
 
   /** Make room for another scene: all but the controls goes. How the view was looked at. */
@@ -284,8 +269,6 @@ class View {
     this.mover.stop();
     this.silence();
     this.release();
-    this.unpoint();
-    this.loosen();
     cancelAnimationFrame(this.pending);
     cancelAnimationFrame(this.settling);
     clearTimeout(this.heard);
@@ -309,12 +292,10 @@ class View {
  * @param {Joints} joints in radians and lengths
  * @param {string} formula MathML to stand below, or ""
  * @param {Looks | null} before what leave() returned, to look at another arm in the same way
- * @param {Pointing} pointing shared with what stands beside the view and points at it
  * @returns {Live}
  */
-export function mount(element, scene, joints, formula = "", before = null,
-                      pointing = new Pointing()) {
-  const view = new View(element, scene, joints, formula, before, pointing);
+export function mount(element, scene, joints, formula = "", before = null) {
+  const view = new View(element, scene, joints, formula, before);
   view.show(before);
   return view;
 }

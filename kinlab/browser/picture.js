@@ -7,6 +7,7 @@ import { frames } from "./frames.js";
 import { place } from "./labels.js";
 import { backToFront } from "./order.js";
 import { Axis, Solid, Stroke, Words, whole } from "./parts.js";
+import { Steady } from "./steady.js";
 import { arrange, drawn } from "./svg.js";
 import { norm, minus } from "./vectors.js";
 
@@ -45,6 +46,7 @@ export class Picture {
    * @type {Set<string>}
    */
   off = new Set();
+  steady = new Steady();
 
   restless = false;                                 // whether labels are still on their way
 
@@ -174,7 +176,8 @@ export class Picture {
   draw(q) {
     const { scene, size } = this, { focus, center } = scene;
     const at = this.at = frames(scene.motions, q), middle = focus == null ? center : at[focus][3];
-    const seen = this.lens = lens(scene, this.camera, size, this.extents(at), this.home, middle);
+    const seen = this.lens = this.steady.through(
+      lens(scene, this.camera, size, this.extents(at), this.home, middle));
     const paper = lens({ ...scene, fit: null }, PAPER, size, [], [], middle);
     this.follow(at[scene.tip][3]);
     for (const stroke of this.strokes) {

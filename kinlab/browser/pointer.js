@@ -1,11 +1,11 @@
 // Pointers and keys on the picture: drag or arrows orbit; wheel, pinch or +/- zoom; double click
-// resets; a target can be taken hold of.
+// resets. What can be held there (grasp.js) is asked first.
 
+import { seenFlat } from "./holds.js";
 import { clip } from "./steps.js";
 
+/** @import { Grasp, Grip } from "./grasp.js" */
 /** @import { Picture } from "./picture.js" */
-/** @import { TargetScene, Triple } from "./types.js" */
-/** @typedef {(event: PointerEvent | MouseEvent) => void} Carry */
 
 /**
  * Turn and zoom the picture by the pointers and keys of its box.
@@ -13,12 +13,11 @@ import { clip } from "./steps.js";
  * @param {Picture} picture
  * @param {() => void} redraw
  * @param {() => void} resetView
- * @param {((event: PointerEvent) => Carry | null) | null} [grab]
- *   takes hold of something under the pointer and gives what carries it
+ * @param {Grasp} hands
  * @returns {() => void} lets go of the page
  */
-export function orbit(box, picture, redraw, resetView, grab) {
-  const flat = Object.keys(picture.scene.presets).length === 1;   // a plane is seen from above
+export function orbit(box, picture, redraw, resetView, hands) {
+  const flat = seenFlat(picture.scene);
   /** @type {(right: number, up: number) => void} */
   const rotate = (right, up) => {
     if (flat) return;
@@ -37,12 +36,19 @@ export function orbit(box, picture, redraw, resetView, grab) {
     const [[x, y], [u, v]] = held.values();
     return Math.max(1, Math.hypot(x - u, y - v));
   };
-  /** @type {Carry | null | undefined} */
-  let carry = null, scrolled = 0;
-  // A page scrolls on past a flat picture in which nothing can be taken hold of.
-  box.style.touchAction = flat && !grab ? "pan-y" : "none";
+  /** @type {Grip | null} */
+  let grip = null;
+  let scrolled = 0;
+  box.style.touchAction = flat ? "pan-y" : "none";  // a page scrolls on past a flat picture
+  const letGo = () => {
+    const last = grip;
+    grip = null;
+    last?.drop();
+  };
   box.addEventListener("pointerdown", (event) => {
-    carry = held.size ? null : grab?.(event);
+    const first = !held.size;
+    letGo();                                        // a second finger zooms
+    if (first) grip = hands.grab(event);
     held.set(event.pointerId, [event.clientX, event.clientY]);
     box.setPointerCapture(event.pointerId);
   });
@@ -51,13 +57,13 @@ export function orbit(box, picture, redraw, resetView, grab) {
     if (!last) return;
     const [x, y] = last;
     held.set(event.pointerId, [event.clientX, event.clientY]);
-    if (held.size === 1 && carry) carry(event);
+    if (held.size === 1 && grip) grip.carry(event);
     else if (held.size === 1) rotate((event.clientX - x) * 0.5, (event.clientY - y) * 0.5);
     if (before) zoom(spread() / before);
   });
   const end = (/** @type {PointerEvent} */ event) => {
     held.delete(event.pointerId);
-    carry = null;
+    letGo();
   };
   box.addEventListener("pointerup", end);
   box.addEventListener("pointercancel", end);
@@ -85,32 +91,4 @@ export function orbit(box, picture, redraw, resetView, grab) {
     event.stopPropagation();                       // the notebook has uses for these keys too
   });
   return () => document.removeEventListener("wheel", elsewhere, { capture: true });
-}
-
-const GRASP = 26;                                   // px: a finger's width
-
-/**
- * Takes hold of the target under the pointer; in a plane the target comes to the pointer.
- * @param {Picture} picture
- * @param {{ to(place: Triple): void }} chase
- * @returns {(event: PointerEvent) => Carry | null}
- */
-export function grasp(picture, chase) {
-  const { svg } = picture, scene = /** @type {TargetScene} */ (picture.scene);
-  const at = (/** @type {MouseEvent} */ event) =>
-    new DOMPoint(event.clientX, event.clientY).matrixTransform(svg.getScreenCTM()?.inverse());
-  return (event) => {
-    const place = picture.at[scene.target.frame][3], { lens } = picture;
-    if (!lens) return null;
-    const { right, up } = lens, [x, y, size] = lens.see(place), scale = lens.scale * size;
-    const hand = at(event), far = Math.hypot(hand.x - x, hand.y - y) > GRASP;
-    if (far && Object.keys(scene.presets).length > 1) return null;
-    const offset = far ? [0, 0] : [hand.x - x, hand.y - y];
-    const take = (/** @type {MouseEvent} */ e) => {
-      const now = at(e), across = now.x - offset[0] - x, above = y + offset[1] - now.y;
-      chase.to(place.map((v, k) => v + (across * right[k] + above * up[k]) / scale));
-    };
-    if (far) take(event);
-    return take;
-  };
 }

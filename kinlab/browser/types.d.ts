@@ -111,7 +111,6 @@ export interface Knob {
   name: string;
   label: string;
   title: string;
-  quantity: string;
   unit: string;
   suffix: string;
   low: number;
@@ -152,6 +151,17 @@ export interface Target {
   unit: string;
 }
 
+/**
+ * A point that a hand drags: the knobs with these numbers bring it to the hand. Its place is told
+ * in `unit`.
+ */
+export interface Handle {
+  name: string;
+  point: Point;
+  knobs: number[];
+  unit: string;
+}
+
 export interface Scene {
   name: string;
   motions: Motion[];
@@ -173,6 +183,7 @@ export interface Scene {
   layers: Layer[];
   pose: Pose | Nothing;
   target: Target | Nothing;
+  handles: Handle[];
   home: number[];
   zero: number[];
   poses: number[][];
@@ -182,12 +193,6 @@ export interface Scene {
 
 /** A scene whose joints follow a target. */
 export type TargetScene = Scene & { target: Target };
-
-/** What a hand, a focus or a word points at: joints and links by number, frames by name. */
-export interface Spot { joints?: number[]; frames?: string[]; links?: number[] }
-
-/** All that lights up then: a joint with its link, its frame and the one before. */
-export interface Pointed { joints: Set<number>; frames: Set<string>; links: Set<number> }
 
 /** Where a picture is seen from, angles in degrees. */
 export interface Camera {
@@ -252,12 +257,7 @@ export interface Looks {
 }
 
 /** A view that stands in a page. */
-export interface Live {
-  note(text: string): void;
-  point(spot: Spot | null, source?: import("./pointing.js").Source): void;
-  leave(): Looks;
-  dismount(): void;
-}
+export interface Live { note(text: string): void; leave(): Looks; dismount(): void }
 
 /** The model that anywidget gives. */
 export interface Model {

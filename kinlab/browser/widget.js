@@ -4,9 +4,7 @@
 import { make, write } from "./dom.js";
 import { mount } from "./mount.js";
 import { keepViews } from "./saved_views.js";
-import { followTerms } from "./terms.js";
 
-/** @import { Pointing } from "./pointing.js" */
 /** @import { Joints, Knob, Live, Model } from "./types.js" */
 
 const TELL = 100;                                   // ms between two messages to Python
@@ -129,10 +127,9 @@ function watchPython(model) {
  * Show a model's view in an element.
  * @param {Model} model
  * @param {HTMLElement} el
- * @param {Pointing} [pointing] what stands beside the view and points at it shares this
  * @returns {() => void} ends it
  */
-export function showView(model, el, pointing) {
+export function showView(model, el) {
   const python = watchPython(model), place = make("div");
   /** @type {Set<string>} */
   const gripped = new Set();
@@ -146,7 +143,7 @@ export function showView(model, el, pointing) {
     joints?.leave();
     const scene = model.get("scene");
     joints = modelJoints(model, scene.knobs, python.listening, gripped);
-    live = mount(place, scene, joints, model.get("formula"), before, pointing);
+    live = mount(place, scene, joints, model.get("formula"), before);
     place.append(python.line);
     joints.listen(remark);
     remark();
@@ -156,9 +153,7 @@ export function showView(model, el, pointing) {
   model.on("change:note", remark);
   model.on("change:scene", show);
   keepViews(model.widget_manager);
-  const unfollow = followTerms(place, () => live);
   return () => {
-    unfollow();
     model.off("change:note", remark);
     model.off("change:scene", show);
     live?.dismount();

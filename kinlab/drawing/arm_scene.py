@@ -13,7 +13,7 @@ from ..arms.kinematics import link_frames
 from ..arms.link import REVOLUTE
 from ..arms.motions import Motion, Numbers
 from .bodies import Bodies
-from .controls import arm_switches, joint_knobs, subscript, tool_table, tour
+from .controls import arm_switches, joint_knobs, subscript, tip_handle, tool_table, tour
 from .layout import Layout
 from .scene import AXIS, LINE, NAME, TEXT, TRACE, Fit, Floor, Item, Scene, Step, at
 
@@ -46,6 +46,7 @@ def arm_scene(arm: Arm, q: Numbers | None = None, *, show: Any = (),
         start=None if q is None else tuple(map(float, q)), switches=switches,
         pose=tool_table(arm, layout.reach), poses=tuple(map(tuple, tour(knobs).tolist())),
         preset=preset or ("top" if is_planar(arm) else "3-D"), floor=_floor(layout, bodies),
+        handles=(tip_handle(arm, layout.last),),
         fit=Fit(tuple(layout.middle.tolist()), layout.radius + 1.1 * layout.thick, layout.thick))
 
 

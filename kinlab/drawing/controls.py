@@ -39,20 +39,19 @@ class Knob:
     title: str = ""
     whole: bool = False
     pair: str = ""
-    quantity: str = ""  # "angle", "length", "target": the colour of its name
 
     @classmethod
     def angle(cls, name: str, label: str, low: float = -math.pi, high: float = math.pi,
               home: float = 0.0, title: str = "") -> Knob:
         """A knob in degrees for an angle in radians."""
-        return cls(name, label, low, high, home, "°", math.radians(1), 1.0, title, quantity="angle")
+        return cls(name, label, low, high, home, "°", math.radians(1), 1.0, title)
 
     @classmethod
     def length(cls, name: str, label: str, low: float, high: float, home: float = 0.0,
                unit: str = "", title: str = "") -> Knob:
         """A knob for a length; an arrow key moves it by about a fiftieth of its way."""
         step = 10.0 ** math.floor(math.log10((high - low) / 20))
-        return cls(name, label, low, high, home, unit, 1.0, step, title, quantity="length")
+        return cls(name, label, low, high, home, unit, 1.0, step, title)
 
     @property
     def ends(self) -> tuple[float, float]:
@@ -135,6 +134,19 @@ class Target:
     unit: str
 
 
+@dataclass(frozen=True)
+class Handle:
+    """A point that a hand drags: the knobs with these numbers bring it to the hand.
+
+    `name` says what it is, "origin of frame 1"; where it is follows, in `unit`.
+    """
+
+    name: str
+    point: tuple[int, float, float, float]
+    knobs: tuple[int, ...]
+    unit: str = ""
+
+
 def joint_knob(arm: Arm, i: int) -> Knob:
     """The knob of joint i: its textbook name, its limits, its home."""
     link, (low, high), home = arm.links[i], joint_range(arm, i), float(arm.home[i])
@@ -147,6 +159,11 @@ def joint_knob(arm: Arm, i: int) -> Knob:
 def joint_knobs(arm: Arm) -> list[Knob]:
     """A knob for every joint."""
     return [joint_knob(arm, i) for i in range(arm.n)]
+
+
+def tip_handle(arm: Arm, frame: int) -> Handle:
+    """The tip of an arm, which all its joints bring to the hand."""
+    return Handle("tip of the arm", (frame, 0.0, 0.0, 0.0), tuple(range(arm.n)), arm.unit)
 
 
 def tour(knobs: Sequence[Knob]) -> np.ndarray:
@@ -178,7 +195,8 @@ def arm_switches(show: Any) -> tuple[Switch, ...]:
     return tuple(Switch(layer, *_SWITCHES[layer], layer in (*on, "floor")) for layer in LAYERS)
 
 
-_COLUMNS = (("n", "normal"), ("s", "sliding"), ("a", "approach"), ("p", "position"))
+_COLUMNS = (("n", "normal vector"), ("s", "sliding vector"), ("a", "approach vector"),
+            ("p", "position"))
 
 
 def tool_table(arm: Arm, size: float) -> PoseTable:

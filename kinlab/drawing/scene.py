@@ -14,7 +14,7 @@ import numpy as np
 
 from ..arms.kinematics import twist
 from ..arms.motions import Frame, Motion, Numbers, matrix
-from .controls import Knob, PoseTable, Switch, Target, decimals
+from .controls import Handle, Knob, PoseTable, Switch, Target, decimals
 from .paints import PAINTS
 from .readings import Point, Reading
 
@@ -246,6 +246,7 @@ class Scene:
     pose: PoseTable | None = None
     poses: tuple[tuple[float, ...], ...] = () # that Play moves between
     target: Target | None = None
+    handles: tuple[Handle, ...] = ()          # points that a hand may drag
     decimals: int | None = None               # of formulas; what fits the size if left out
     floor: Floor | None = None
     fit: Fit | None = None                    # how the picture is framed; by the radius if left out
@@ -315,6 +316,7 @@ class Scene:
             "layers": [asdict(switch) for switch in self.switches],
             "pose": self.pose and self.pose.data(),
             "target": self.target and asdict(self.target),
+            "handles": [asdict(handle) for handle in self.handles],
             "floor": self.floor and asdict(self.floor), "fit": self.fit and asdict(self.fit),
             "decimals": decimals(self.radius) if self.decimals is None else self.decimals,
         }

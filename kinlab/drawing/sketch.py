@@ -23,7 +23,7 @@ import numpy as np
 from ..arms.arm import Arm
 from ..arms.motions import ROTATE, TRANSLATE, Numbers, X, Y, Z
 from .arm_scene import arm_scene, is_planar
-from .controls import Knob, PoseTable, Switch, Target, subscript
+from .controls import Handle, Knob, PoseTable, Switch, Target, subscript
 from .readings import Amount, Entry, Point, Reading, Vector, Volume
 from .scene import (
     ARROW,
@@ -102,6 +102,7 @@ class Sketch:
         self.pose: PoseTable | None = None
         self.poses: list[list[float]] = []
         self.target: Target | None = None
+        self.handles: list[Handle] = []
         self.decimals: int | None = None
         self.over = 0.0  # how much nearer than its place everything new lies (length unit)
         self._bodies = 0
@@ -126,6 +127,7 @@ class Sketch:
         self.pose, self.steps = scene.pose, list(scene.motions)
         self.floor, self.fit = scene.floor, scene.fit
         self.poses = [list(pose) for pose in scene.poses]
+        self.handles = list(scene.handles)
         self.lay(filter(keep, scene.items))
 
     def drop(self, *frames: int) -> None:
@@ -166,11 +168,18 @@ class Sketch:
     def frame(self, name: str, parent: int = 0, *, x: int | None = None, y: int | None = None,
               theta: int | None = None, origin: Numbers = (0, 0),
               length: float | None = None) -> int:
-        """A planar frame that slides along x and y, then turns, each by a knob if one is named."""
+        """A planar frame that slides along x and y, then turns, each by a knob if one is named.
+
+        A hand drags its origin, and turns it by the tips of axes that have a `length`.
+        """
         frame = self.move(TRANSLATE, X, origin[0], x, parent)
         frame = self.move(TRANSLATE, Y, origin[1], y)
         frame = self.move(ROTATE, Z, 0.0, theta)
         self.axes(name, frame, length)
+        self.handle(f"origin of frame {name}", frame, x, y)
+        for letter, axis in zip("xy" if length else "", _AXES):
+            self.handle(f"tip of {letter}{subscript(name)}", at(frame, (length or 0) * axis)[0],
+                        theta)
         self.tip = frame
         return frame
 
@@ -202,6 +211,13 @@ class Sketch:
         self.add(f"name-{name}", TEXT, "ink", (point, point), name, lift=self.radius,
                  part="label", frame=name)
         return point
+
+    def handle(self, name: str, point: Point | int, *knobs: int | None) -> None:
+        """Let a hand drag a point, or a frame's origin: these knobs bring it there."""
+        point = origin_of(point) if isinstance(point, int) else point
+        driven = tuple(knob for knob in knobs if knob is not None)
+        if driven:
+            self.handles.append(Handle(name, point, driven, self.unit))
 
     # ---- a solid arm ----
 
@@ -292,7 +308,7 @@ class Sketch:
             switches=tuple(self.switches), pose=self.pose, target=self.target,
             poses=tuple(tuple(map(float, pose)) for pose in self.poses),
             readings=tuple(self.readings), decimals=self.decimals,
-            floor=self.floor, fit=self.fit)
+            floor=self.floor, fit=self.fit, handles=tuple(self.handles))
         return replace(scene, fit=self._fitting(scene)) if self.follows else scene
 
     def _fitting(self, scene: Scene) -> Fit:

@@ -30,6 +30,8 @@ def target_scene(arm: Arm, q: Numbers) -> Scene:
     _coordinates(sketch, axes, ("target", "p*", goal), ("tool", "p", tip))
     if sketch.floor:
         sketch.floor = replace(sketch.floor, drops=(sketch.tip, ring))
+    sketch.handles = []  # the target lies at the tool
+    sketch.handle("target", goal, *range(arm.n, arm.n + axes))
     sketch.target = Target(ring, sketch.tip, arm.n, tuple(range(arm.n, arm.n + axes)), arm.unit)
     return sketch.scene()
 
@@ -46,9 +48,8 @@ def _ring_frame(sketch: Sketch, axes: int, place: np.ndarray) -> int:
 def _knob(sketch: Sketch, axis: int, place: np.ndarray) -> Knob:
     low, high = (sketch.center[axis] + side * sketch.radius for side in (-1, 1))
     letter = "xyz"[axis]
-    knob = Knob.length(letter, f"{letter}*", low, high, float(place[axis]), sketch.unit,
+    return Knob.length(letter, f"{letter}*", low, high, float(place[axis]), sketch.unit,
                        f"target along {letter}")
-    return replace(knob, quantity="target")
 
 
 def _ring(sketch: Sketch, frame: int) -> None:

@@ -38,8 +38,9 @@ def axes_view() -> LiveView:
 
 def riding_view() -> LiveView:
     """The frame turns and takes the point c along."""
-    sketch, _, frame = _turning("A frame that turns and takes a point along")
+    sketch, theta, frame = _turning("A frame that turns and takes a point along")
     point = sketch.point("c", frame, (1.2, 0.5))
+    sketch.handle("point c", point, theta)
     corner = at(frame, (1.2, 0, 0))[0]
     sketch.components("c1", point, frame)
     sketch.line("circle", _circle(1.3))
@@ -76,7 +77,8 @@ def spatial_view(axis: str) -> LiveView:
     sketch.axes("0", 0, 1.4)
     frame = sketch.tip = sketch.move(ROTATE, k, 0.0, theta)
     sketch.axes("1", frame, 1.0)
-    for other in {0, 1, 2} - {k}:
+    for other in sorted({0, 1, 2} - {k}):
+        sketch.handle(f"tip of {'xyz'[other]}₁", at(frame, np.eye(3)[other])[0], theta)
         sketch.sweep(f"arc-{other}", frame, 0.75 * np.eye(3)[other], text="θ")
     for letter, unit in zip("xyz", np.eye(3)):
         sketch.reading(letter, letter + "₁ seen from frame 0 = {}",

@@ -39,6 +39,7 @@ def riding_view() -> LiveView:
     frame, halfway = _frame(sketch, "1", x, y)
     point = sketch.point("c", frame, (1, 2))
     sketch.components("c1", point, frame)
+    sketch.handle("point c", point, x, y)
     _triangle(sketch, frame, point, origin_of(halfway), (frame, 0.5, 1.0, 0.0),
               (halfway, 0.5, 1.0, 0.0))
     _sum(sketch, frame, point)
@@ -85,6 +86,7 @@ def _frame(sketch: Sketch, name: str, x: int, y: int, parent: int = 0) -> tuple[
         sketch.axes("0", 0, 1.0)
     frame, halfway = _slide(sketch, x, y, parent)
     sketch.axes(name, frame, 1.0)
+    sketch.handle(f"origin of frame {name}", frame, x, y)
     return frame, halfway
 
 

@@ -117,6 +117,8 @@ def test_drag_the_target_in_jupyterlab(live):
     (view,) = live("import kinlab as kl\nview = kl.TargetView(kl.robots.two_link())\nview")
     page, arm = view.page, kl.robots.two_link()
     before, (x, y) = kernel_q(page), middle(view.locator("#target-0"))
+    first, second = (middle(view.locator(f"#joint-{k}")) for k in (1, 2))
+    scale = np.hypot(*np.subtract(second, first))   # pixels to a metre, as long as link 1
     page.mouse.move(x, y)
     page.mouse.down()
     for k in range(1, 21):
@@ -131,7 +133,6 @@ def test_drag_the_target_in_jupyterlab(live):
     page.wait_for_timeout(300)
     after = kernel_q(page)
     assert np.max(np.abs(after - before)) > 0.1
-    scale = kl.TargetView(arm)._scene.scale * view.locator("svg").bounding_box()["width"] / 580
     moved = kl.forward_kinematics(arm, after)[:2, 3] - kl.forward_kinematics(arm, before)[:2, 3]
     np.testing.assert_allclose(moved, np.array([-100, -60]) / scale, atol=2 / scale)
 
@@ -154,12 +155,12 @@ def test_the_keys_move_the_target_too(live):
 def test_a_drag_beside_the_target_turns_the_picture(live):
     (view,) = live("import kinlab as kl\nview = kl.TargetView(kl.robots.alpha_ii())\nview")
     page, before = view.page, kernel_q(view.page)
-    ground = view.locator("#ground-0 path").get_attribute("d")
-    x, y = middle(view.locator(".kl-picture"))
-    page.mouse.move(x - 120, y - 120)
+    ring = view.locator("#target-0 path").get_attribute("d")
+    box = view.locator(".kl-picture").bounding_box()
+    page.mouse.move(box["x"] + 30, box["y"] + 30)
     page.mouse.down()
-    page.mouse.move(x - 60, y - 100)
+    page.mouse.move(box["x"] + 90, box["y"] + 50)
     page.mouse.up()
     settle(page)
-    assert view.locator("#ground-0 path").get_attribute("d") != ground
+    assert view.locator("#target-0 path").get_attribute("d") != ring
     np.testing.assert_allclose(kernel_q(page), before)

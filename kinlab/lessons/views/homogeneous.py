@@ -3,6 +3,8 @@ from __future__ import annotations
 
 from math import pi, radians
 
+import numpy as np
+
 from ...arms.motions import ROTATE, TRANSLATE, X, Y, Z
 from ...drawing.controls import Knob, PoseTable, subscript, superscript
 from ...drawing.readings import Point
@@ -15,6 +17,7 @@ def combined() -> LiveView:
     """A frame that slides and turns, with a point that is fixed in it."""
     sketch, frame, half = _sliding_and_turning("Translation and rotation together", (1.5, -1.0))
     c = sketch.point("c", frame, (1.5, 1.0))
+    sketch.handle("point c", c, 2)
     sketch.components("c", c, frame)
     sketch.arrow("c0", origin_of(0), c, "point")
     turned = sketch.move(ROTATE, Z, 0, 2, half)
@@ -55,10 +58,13 @@ def chain(n: int = 3) -> LiveView:
     for k, knob in enumerate(knobs, start=1):
         before = frame
         frame = sketch.frame(str(k), before, theta=knob, origin=offset)
+        if k > 1:
+            sketch.handle(f"origin of frame {k}", frame, knobs[k - 2])
         name = f"o{_indices(k)}"
         _term(sketch, name, turns, before, origin_of(frame))
         turns += f"R{_indices(k)}"
     c = sketch.point("c", frame, offset)
+    sketch.handle("point c", c, *knobs)
     _term(sketch, f"c{superscript(n)}", turns, frame, c)
     sketch.reading("c0", "c⁰ = sum of the rows above = {}", sketch.vector(0, c))
     return LiveView(sketch.scene())
@@ -96,6 +102,9 @@ def spatial() -> LiveView:
     sketch.tip = frame = sketch.move(ROTATE, X, 0, phi)
     sketch.axes("1", frame, 1.0)
     sketch.drop(frame)
+    sketch.handle("origin of frame 1", frame, *slides)
+    for axis, letter, knob in ((X, "x", theta), (Y, "y", phi), (Z, "z", phi)):
+        sketch.handle(f"tip of {letter}₁", at(frame, np.eye(3)[axis])[0], knob)
     c = sketch.point("c", frame, (1.0, 0.6, 0.5))
     sketch.arrow("o", origin_of(0), origin_of(frame))
     sketch.arrow("rotated", origin_of(frame), c)
@@ -151,6 +160,7 @@ def _motions(sketch: Sketch, name: str, knob: int, arc: float,
         marked = (0, 0, 0) if kind == TRANSLATE else (arc, 0, 0)
         sketch.sweep(f"path-{name}-{kind}", frame, marked, "dashed")
     sketch.axes(name, frame, 1.0)
+    sketch.handle(f"frame {name}", at(frame, (1.0, 0, 0))[0], knob)
     return frame
 
 

@@ -83,6 +83,8 @@ def zyz_view() -> LiveView:
     turns = [sketch.move(ROTATE, axis, 0.0, knob) for axis, knob in zip((Z, Y, Z), knobs)]
     sketch.axes("", turns[-1], 1.0)
     sketch.tip = turns[-1]
+    sketch.handle("tip of z", at(turns[-1], (0, 0, 1))[0], *knobs[:2])
+    sketch.handle("tip of x", at(turns[-1], (1, 0, 0))[0], knobs[2])
     for step, place, letter in zip(turns, ((0.55, 0, 0), (0, 0, 0.6), (0.75, 0, 0)), "φθψ"):
         sketch.sweep(f"arc-{letter}", step, place, text=letter)
         sketch.line(f"ray-{letter}", at(step, (0, 0, 0), place))

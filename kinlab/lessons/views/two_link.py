@@ -31,6 +31,9 @@ def both_methods() -> LiveView:
     sketch.sweep("theta-1", first, (0.85, 0, 0), text="θ₁")
     sketch.line("ahead", at(second - 1, (0, 0, 0), (1.1, 0, 0)))
     sketch.sweep("theta-2", second, (0.75, 0, 0), text="θ₂")
+    sketch.handles = []  # lengths stay as they are while a hand moves the arm
+    sketch.handle("Q", end, t1, t2)
+    sketch.handle("P", second, t1)
     _both_readings(sketch, second, end, (t1, t2, l1, l2))
     sketch.pose = PoseTable("H₂⁰ = H₁⁰ H₂¹", (
         ("x₂", "x axis of frame 2"), ("y₂", "y axis of frame 2"), ("P", "its origin, P")))
@@ -53,6 +56,7 @@ def n_links(n: int = 4) -> LiveView:
         sketch.reading(f"link-{k}", f"l{index} (cos φ{index}, sin φ{index}) = {{}}",
                        sketch.vector(turned, frame))
     _links(sketch, [*joints, (frame, "Q")])
+    sketch.handle("Q", frame, *knobs)
     sketch.reading("Q", "Q⁰ = sum of the rows above = {}", sketch.vector(0, frame))
     return LiveView(sketch.scene())
 

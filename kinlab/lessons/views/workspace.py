@@ -34,6 +34,8 @@ def ring_view() -> LiveView:
     elbow = sketch.move(ROTATE, Z, 0, t2)
     tool = sketch.move(TRANSLATE, X, 0, l2)
     _arm(sketch, first, straight, elbow, tool)
+    sketch.handle("tool Q", tool, t1, t2)
+    sketch.handle("P", elbow, t1)
     sketch.line("reach", map(origin_of, (0, tool)))
     _circle_names(sketch, l1, l2)
     sketch.reading("p", "tool: p⁰ = {} m", sketch.vector(0, tool))
@@ -69,6 +71,8 @@ def limits_view(theta_1: tuple[float, float] = (-20, 130),
     elbow = _swept(sketch, straight, limits[1], sweeps[1])
     tool = sketch.move(TRANSLATE, X, L2)
     _arm(sketch, first, straight, elbow, tool)
+    sketch.handle("tool Q", tool, *sweeps)
+    sketch.handle("P", elbow, sweeps[0])
     sketch.reading("p", "tool: p⁰ = {} m", sketch.vector(0, tool))
     closing = [(-180, 180, -180, 180), (-90, 90, -180, 180), (-90, 90, 0, 180), (-90, 90, 0, 120),
                (-90, 90, 45, 120), (-20, 130, 0, 150)]
