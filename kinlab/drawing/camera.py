@@ -85,10 +85,13 @@ class Lens:
 
     def see(self, points: Numbers) -> np.ndarray:
         """Right and down on the picture (px), and the size of things there, 1 at the middle."""
-        d = np.asarray(points, dtype=float) - self.gaze.middle
-        size = 1 / self.gaze.ahead(d)
-        right, up = np.moveaxis(d @ self.gaze.axes[:2].T, -1, 0) * (self.scale * size)
-        return np.stack([self.heart[0] + right, self.heart[1] - up, size], axis=-1)
+        seen = (np.asarray(points, dtype=float) - self.gaze.middle) @ self.gaze.axes.T
+        size = 1 / np.maximum(_NEAREST, 1 - self.gaze.closer * seen[..., 2])
+        seen *= (self.scale * size)[..., None]
+        seen[..., 1] *= -1
+        seen[..., :2] += self.heart
+        seen[..., 2] = size
+        return seen
 
     def eye(self, points: Numbers) -> np.ndarray:
         """Directions from points to the viewer, not of unit length."""

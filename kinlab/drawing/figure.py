@@ -46,6 +46,12 @@ def figure(scene: Scene, q: Numbers, preset: str = "",
     return fig
 
 
+def prepare() -> None:
+    """Load the letters, which takes a moment, before the first picture is wanted."""
+    for weight in ("bold", "normal"):
+        _letters("x", weight)
+
+
 def png(fig: Figure) -> bytes:
     """The figure as a PNG picture, in so many colours that the axes keep theirs."""
     fig.set_dpi(_DPI)

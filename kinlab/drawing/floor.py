@@ -15,7 +15,7 @@ from ..arms.motions import Numbers
 from .camera import Lens
 from .labels import Box, text_size
 from .scene import BALL, TUBE, Floor
-from .solids import hull
+from .solids import circle, hull
 
 # How strongly the floor is drawn, so far from its middle: shares of the radius, opacities.
 FADE = ((0.0, 1.0), (0.55, 0.8), (1.0, 0.0))
@@ -107,11 +107,6 @@ def number(value: float, decimals: int) -> str:
     return text.replace("-", "−" if float(text) else "")
 
 
-def _round(count: int) -> np.ndarray:
-    angles = 2 * np.pi * np.arange(count) / count
-    return np.stack([np.cos(angles), np.sin(angles)], axis=-1)
-
-
 def _laid(flat: np.ndarray, height: float) -> np.ndarray:
     """Points of the floor with their height."""
     return np.concatenate([flat, np.full((*flat.shape[:-1], 1), height)], axis=-1)
@@ -132,7 +127,7 @@ def ground(floor: Floor, lens: Lens, size: Size) -> Ground:
     at = floor.step * np.array(_marks(floor))
     grid = np.concatenate([_lines(floor, 1, at), _lines(floor, 0, at)])
     rulers = np.concatenate([_lines(floor, k, np.zeros(1)) for k in (0, 1)])
-    rim = _laid(floor.reach * _round(_RIM_SIDES), floor.height)
+    rim = _laid(floor.reach * circle(_RIM_SIDES), floor.height)
     return Ground(below, _seen(lens, grid), _seen(lens, rulers), _seen(lens, rim), x + y, fade)
 
 
@@ -274,7 +269,7 @@ def _disc(middle: np.ndarray, radius: float, direction: np.ndarray) -> np.ndarra
     u, v = direction[:2] / flat if flat > 1e-9 * length else (1.0, 0.0)
     thin = direction[2] / length if length else 1.0
     turned = np.array([[thin * u, thin * v], [-v, u]])
-    return middle[:2] + radius * _round(_DISC_SIDES) @ turned
+    return middle[:2] + radius * circle(_DISC_SIDES) @ turned
 
 
 # ---- lines dropped on the floor ----
@@ -285,7 +280,7 @@ def drop(floor: Floor, lens: Lens, size: Size, point: Numbers) -> Drop:
     ends = np.array([[x, y, z], [x, y, floor.height]])
     line = _seen(lens, ends)
     far = _seen(lens, _laid(np.array([[x, 0.0], [0.0, y], [0.0, 0.0]]), floor.height))
-    ring = ends[1] + _laid(_RING / lens.scale * _round(_RING_SIDES), 0.0)
+    ring = ends[1] + _laid(_RING / lens.scale * circle(_RING_SIDES), 0.0)
     p, q, r = (number(value, floor.decimals) for value in (x, y, z))
     texts = (_foot_words(f"({p}, {q})", line, far[2], size),
              _height_words(f"z {r}", line, far[2], size))

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
+from functools import cached_property
 
 import numpy as np
 
@@ -24,6 +25,7 @@ _NEW_STEPS, _AGAIN, _ROUNDS, _NEW_PX, _MOST_PX = 140, 40, 4, 3.0, 2.0
 _QUIET, _PATIENCE, _SLOWER = 0.06, 90, 60  # pictures
 _GAPS, _WAYS = (4.0, 12.0, 22.0, 34.0, 48.0), 8
 _SPOTS = len(_GAPS) * _WAYS
+_UP_RIGHT = np.sqrt(0.5) * np.array([1, -1])  # the way off a bar that one stands on
 
 
 @dataclass(frozen=True)
@@ -123,6 +125,17 @@ class _Bars:
     radius: np.ndarray
     gain: np.ndarray
     owner: np.ndarray
+
+    @cached_property
+    def along(self) -> np.ndarray:
+        """From one end to the other."""
+        return self.b - self.a
+
+    @cached_property
+    def shares(self) -> np.ndarray:
+        """What gives how far along a bar a point lies; nothing for a bar without length."""
+        square = np.sum(self.along**2, axis=-1)[:, None]
+        return np.where(square > _TINY, self.along / np.where(square > _TINY, square, 1), 0)
 
 
 @dataclass
@@ -247,16 +260,15 @@ def _drawn(crowd: _Crowd) -> np.ndarray:
 def _off_bars(half: np.ndarray, at: np.ndarray, bars: _Bars,
               index: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """How hard each bar pushes each label, and which way."""
-    along, square = bars.b - bars.a, np.sum((bars.b - bars.a)**2, axis=-1)
     since = at[:, None] - bars.a
-    share = np.einsum("ijk,jk->ij", since, along) / np.where(square > _TINY, square, 1)
-    share = np.where(square > _TINY, np.clip(share, 0, 1), 0)
-    away = since - share[..., None] * along
-    d = np.sqrt(np.sum(away**2, axis=-1))
-    way = np.where((d > _TINY)[..., None], away / np.where(d > _TINY, d, 1)[..., None],
-                   np.sqrt(0.5) * np.array([1, -1]))
+    share = np.minimum(1, np.maximum(0, np.einsum("ijk,jk->ij", since, bars.shares)))
+    away = since - share[..., None] * bars.along
+    d = np.sqrt(np.einsum("ijk,ijk->ij", away, away))
+    on_it = d <= _TINY
+    way = away / np.where(on_it, 1, d)[..., None]
+    way[on_it] = _UP_RIGHT
     deep = bars.radius + _TOUCH + np.einsum("ijk,ik->ij", np.abs(way), half) - d
-    push = np.where(deep > 0, bars.gain * np.minimum(deep, _DEEPEST), 0)
+    push = bars.gain * np.minimum(np.maximum(deep, 0), _DEEPEST)
     return np.where(bars.owner == index[:, None], 0, push), way
 
 
@@ -265,7 +277,7 @@ def _parted(crowd: _Crowd, free: np.ndarray) -> np.ndarray:
     count = np.arange(len(crowd.next))
     order = np.sign(count[:, None] - count)
     ways = _parting(crowd.half, crowd.next, crowd.half, crowd.next, order)
-    ways *= ((order != 0) * np.where(free, 0.5, 1.0))[..., None]
+    ways *= np.where(free, 0.5, 1.0)[:, None]
     boxes = _parting(crowd.half, crowd.next, crowd.fixed[:, 2:] / 2, crowd.fixed[:, :2],
                      np.ones((1, 1)))
     return ways.sum(axis=1) + boxes.sum(axis=1)
@@ -273,13 +285,22 @@ def _parted(crowd: _Crowd, free: np.ndarray) -> np.ndarray:
 
 def _parting(half: np.ndarray, at: np.ndarray, halves: np.ndarray, middles: np.ndarray,
              order: np.ndarray) -> np.ndarray:
-    """The shortest ways of boxes out of others; `order` decides between two in one place."""
+    """The shortest ways of boxes out of others.
+
+    `order` decides between two in one place; where it is zero, a box meets itself.
+    """
     away = at[:, None] - middles
     deep = half[:, None] + halves + _TOUCH - np.abs(away)
-    way = np.where(np.abs(away) > _TINY, np.sign(away), np.where(order < 0, -1, 1)[..., None])
-    across = deep[..., 0] < deep[..., 1] - _TINY
-    one = np.stack([across, ~across], axis=-1)
-    return np.where((deep > 0).all(axis=-1)[..., None] & one, deep * way, 0.0)
+    ways = np.zeros(deep.shape)
+    i, j = ((deep[..., 0] > 0) & (deep[..., 1] > 0) & (order != 0)).nonzero()
+    if not len(i):
+        return ways  # as most of the time
+    across, up = deep[i, j].T
+    axis = np.where(across < up - _TINY, 0, 1)
+    off = away[i, j, axis]
+    side = np.where(np.broadcast_to(order, deep.shape[:2])[i, j] < 0, -1, 1)
+    ways[i, j, axis] = deep[i, j, axis] * np.where(np.abs(off) > _TINY, np.sign(off), side)
+    return ways
 
 
 def _kept(crowd: _Crowd, at: np.ndarray) -> np.ndarray:

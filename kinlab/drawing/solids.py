@@ -5,8 +5,10 @@ their seams.
 """
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
+from functools import cache, cached_property
 from typing import NamedTuple
 
 import numpy as np
@@ -49,7 +51,7 @@ class Face(NamedTuple):
 
 _BRIGHTEST = 27                                # levels go from 0, which lies in the shade
 _LIGHT = np.array([-0.5, 0.72, 0.62])          # to the right, up, towards the viewer
-_LIGHT /= np.linalg.norm(_LIGHT)
+_LIGHT /= math.sqrt(_LIGHT @ _LIGHT)
 _EDGE_ON = 1e-9                                # what is turned away by less is not seen
 
 
@@ -68,10 +70,16 @@ def _level(brightness: float) -> int:
 
 def shades(ramp: Sequence[str]) -> list[str]:
     """The colours of all levels, made from those in the shade, between, and in the light."""
+    return list(_shades(tuple(ramp)))
+
+
+@cache
+def _shades(ramp: tuple[str, ...]) -> tuple[str, ...]:
     known = [[int(colour[k:k + 2], 16) for k in (1, 3, 5)] for colour in ramp]
     where = np.linspace(0, 2, _BRIGHTEST + 1)
     channels = np.transpose([np.interp(where, (0, 1, 2), values) for values in zip(*known)])
-    return ["#" + bytes(colour).hex() for colour in np.floor(channels + 0.5).astype(np.uint8)]
+    return tuple("#" + bytes(colour).hex()
+                 for colour in np.floor(channels + 0.5).astype(np.uint8))
 
 
 def pale(colour: str) -> str:
@@ -87,32 +95,47 @@ _COARSE, _FINE, _SMALL = 18, 36, 34.0          # sides of a circle, and px: the 
 
 def _circle(radius: float) -> np.ndarray:
     """Corners of a circle round 0 of radius 1 that is drawn with a radius in px."""
-    count = _FINE if radius > _SMALL else _COARSE
+    return circle(_FINE if radius > _SMALL else _COARSE)
+
+
+@cache
+def circle(count: int) -> np.ndarray:
+    """So many corners of a circle round 0 of radius 1; not to be written to."""
     angles = 2 * np.pi * np.arange(count) / count
     return np.stack([np.cos(angles), np.sin(angles)], axis=-1)
 
 
 def hull(points: Iterable[Sequence[float]] | np.ndarray) -> np.ndarray:
     """Corners of the convex outline round points of the picture, by Andrew's monotone chain."""
-    ordered = sorted((float(x), float(y)) for x, y in points)
+    ordered = sorted(map(tuple, np.asarray(points, dtype=float).tolist()))
     return np.reshape(_half(ordered)[:-1] + _half(reversed(ordered))[:-1], (-1, 2))
 
 
 def _half(chain: Iterable[tuple]) -> list[tuple]:
     kept: list[tuple] = []
-    for p in chain:
-        while len(kept) > 1 and _bend(kept[-2], kept[-1], p) <= 0:
+    for x, y in chain:
+        while len(kept) > 1:
+            (u, v), (s, t) = kept[-2:]
+            if (s - u) * (y - v) - (t - v) * (x - u) > 0:  # the chain bends to the left
+                break
             kept.pop()
-        kept.append(p)
+        kept.append((x, y))
     return kept
 
 
-def _bend(o: tuple, a: tuple, b: tuple) -> float:
-    return (a[0] - o[0]) * (b[1] - o[1]) - (a[1] - o[1]) * (b[0] - o[0])
+# Arithmetic with single vectors: numpy's own norm and cross product take longer to be called.
+
+def _norm(vector: np.ndarray) -> float:
+    return math.sqrt(vector @ vector)
 
 
 def _unit(vector: np.ndarray) -> np.ndarray:
-    return vector / (np.linalg.norm(vector) or 1.0)
+    return vector / (_norm(vector) or 1.0)
+
+
+def _cross(one: np.ndarray, other: np.ndarray) -> np.ndarray:
+    (a, b, c), (d, e, f) = one.tolist(), other.tolist()
+    return np.array((b * f - c * e, c * d - a * f, a * e - b * d))
 
 
 # ---- tubes ----
@@ -131,24 +154,24 @@ class _Tube:
     radii: Sequence[float]
     frame: np.ndarray
 
-    @property
+    @cached_property
     def length(self) -> float:
-        return float(np.linalg.norm(self.ends[1] - self.ends[0]))
+        return _norm(self.ends[1] - self.ends[0])
 
-    @property
+    @cached_property
     def direction(self) -> np.ndarray:
         return _unit(self.ends[1] - self.ends[0]) if self.length > 0 else self.frame[:3, 2]
 
-    @property
+    @cached_property
     def sideways(self) -> np.ndarray:
         """Two directions at right angles to the tube; they turn with its frame."""
         along, guide = self.direction, self.frame[:3, 2]
         if abs(guide @ along) > 0.9:
             guide = self.frame[:3, 0]
         first = _unit(guide - (guide @ along) * along)
-        return np.array([first, np.cross(along, first)])
+        return np.array([first, _cross(along, first)])
 
-    @property
+    @cached_property
     def seen_end(self) -> int | None:
         """The end that looks at the viewer."""
         near = [float(self.direction @ self.lens.eye(end)) for end in self.ends]
@@ -188,12 +211,13 @@ def _flank(tube: _Tube, *, open_: bool) -> Across:
     """
     lens, middle, n = tube.lens, tube.ends.mean(axis=0), tube.lens.turn(tube.direction)
     eye, (*place, size) = _unit(lens.turn(lens.eye(middle))), lens.see(middle)
-    near, tall = float(n @ eye), float(np.linalg.norm(np.cross(n, eye)))
-    across = _unit(np.cross(n, eye)) if tall > _EDGE_ON else np.array([1.0, 0.0, 0.0])
+    near, tall = float(n @ eye), _norm(_cross(n, eye))
+    across = _unit(_cross(n, eye)) if tall > _EDGE_ON else np.array([1.0, 0.0, 0.0])
     deep = 2 * tube.radii[1 if near > 0 else 0] * near
     share = _disc_share(tall * tube.length, deep) if open_ else 0.0
     end = _shine(n if near > 0 else -n)
-    sides = [u * across + np.sqrt(1 - u * u) * np.cross(across, n) for u in _STOPS]
+    ahead = _cross(across, n)
+    sides = [u * across + math.sqrt(1 - u * u) * ahead for u in _STOPS]
     levels = tuple(_level((1 - share) * _shine(tube.skin(side, n)) + share * end)
                    for side in sides)
     reach = max(tube.radii) * lens.scale * size * across[:2] * (1, -1)
@@ -249,16 +273,16 @@ def _box(lens: Lens, points: np.ndarray, size: Sequence[float], paint: Paint,
          frame: np.ndarray) -> list[Face]:
     along, u, v = points[1:] - points[0]
     ahead = tuple(size[:1]) == (1.0,)
-    if np.linalg.norm(along) <= _HAIR * max(np.linalg.norm(u), np.linalg.norm(v)):
+    if _norm(along) <= _HAIR * max(_norm(u), _norm(v)):
         return []
     if ahead and along @ frame[:3, 2] < 0:
         return []
     halves, middle = [along / 2, u, v], points[0] + along / 2
-    hand, seen = -1 if along @ np.cross(u, v) < 0 else 1, []
+    hand, seen = -1 if along @ _cross(u, v) < 0 else 1, []
     for k, half in enumerate(halves):
         p, q = halves[(k + 1) % 3], halves[(k + 2) % 3]
         for side in (-1, 1):
-            at, normal = middle + side * half, _unit(side * hand * np.cross(p, q))
+            at, normal = middle + side * half, _unit(side * hand * _cross(p, q))
             if normal @ lens.eye(at) > _EDGE_ON:
                 corners = lens.see(at + _CORNERS @ np.array([p, q]))[:, :2]
                 role = "hub" if k == 0 and paint.get("hub") else "face"

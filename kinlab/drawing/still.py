@@ -7,13 +7,14 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, replace
+from functools import cached_property
 from itertools import pairwise
 
 import numpy as np
 
 from ..arms.motions import Numbers
 from .camera import Camera, Extents, lens
-from .floor import Drop, drop, faded, give_way, ground, shadow
+from .floor import Drop, Ground, drop, faded, give_way, ground, shadow
 from .floor import Solid as Shading
 from .labels import Bar, Label, place, text_size
 from .order import Body, back_to_front
@@ -252,10 +253,15 @@ class _Still:
 
     # ---- the floor ----
 
+    @cached_property
+    def _seen_ground(self) -> Ground:
+        assert self.floor
+        return ground(self.floor, self.lens, self.size)
+
     def _ground(self, pieces: list[_Piece], drops: list[Drop], sunk: bool) -> Iterator[Drawn]:
         if not self.floor:
             return
-        seen = ground(self.floor, self.lens, self.size)
+        seen = self._seen_ground
         if sunk:
             pane: Paint = {"stroke": "none", "fill": "#ffffff"}
             yield Drawn("pane", [Mark([seen.rim], pane, closed=True, opacity=_PANE)])
@@ -316,7 +322,7 @@ class _Still:
     def _numbers(self, taken: list) -> Iterator[Drawn]:
         if not self.floor:
             return
-        numbers = give_way(ground(self.floor, self.lens, self.size).numbers, taken)
+        numbers = give_way(self._seen_ground.numbers, taken)
         yield Drawn("numbers", [
             replace(_text(one.words.text, one.words.place, {"fill": COLOURS[one.axis].words}),
                     weight="normal", opacity=one.opacity) for one in numbers if one.opacity])

@@ -87,8 +87,9 @@ def _start() -> subprocess.Popen[bytes]:
 def work(idle: float) -> None:
     """Answer jobs from standard input until it closes or none comes for `idle` seconds."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # it is the kernel that is interrupted
-    from . import figure  # noqa: F401 - matplotlib is there when the first job comes
+    from . import figure
 
+    figure.prepare()  # matplotlib and its letters are there when the first job comes
     answers, sys.stdout = sys.stdout.buffer, sys.stderr
     while True:
         waiting = Timer(idle, os._exit, [0])
