@@ -63,8 +63,8 @@ export class Bar {
   constructor(scene, acts, steps) {
     this.scene = scene;
     this.acts = acts;
-    this.more = make("div", { class: "kl-more" }, ...this.views(), ...this.shows(),
-                     ...this.screens());
+    this.more = make("div", { class: "kl-more" }, ...this.screens(), ...this.views(),
+                     ...this.shows());
     const [opener] = menu("More", "More buttons", this.more,
                           { class: "kl-button kl-opener" }, true);
     this.node = make("div", { class: "kl-toolbar", role: "toolbar", "aria-label": "View" },

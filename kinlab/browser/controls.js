@@ -53,11 +53,14 @@ class Row {
   }
 
   /**
-   * Stand for this knob from now on; what is held or half typed stays.
+   * Stand for this knob from now on, the joint of this number; what is held or half typed stays.
    * @param {Knob} knob
+   * @param {number} joint
    */
-  take(knob) {
+  take(knob, joint) {
     this.knob = knob;
+    this.node.setAttribute("data-joint", String(joint));
+    this.label.className = knob.quantity ? `kl-of-${knob.quantity}` : "";
     const { label, title, unit } = knob, name = title ? `${label}, ${title}` : label;
     const { low, high } = this.units;
     this.label.textContent = label;
@@ -166,7 +169,7 @@ export class Controls {
     }
     knobs.forEach((knob, i) => {
       const row = this.row(knob), there = this.node.children[i];
-      row.take(knob);
+      row.take(knob, i + 1);
       if (there !== row.node) this.node.insertBefore(row.node, there ?? null);
     });
     this.update();

@@ -50,6 +50,19 @@ export function write(node, text) {
 }
 
 /**
+ * Set the texts of elements; those that showed another one before.
+ * @param {Element[]} nodes
+ * @param {string[]} texts
+ */
+export function rewrite(nodes, texts) {
+  return nodes.filter((node, k) => {
+    const before = node.textContent;
+    write(node, texts[k]);
+    return before && before !== texts[k];
+  });
+}
+
+/**
  * A number as people write it: no more digits than it needs.
  * @param {number} value
  */

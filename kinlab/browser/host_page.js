@@ -3,6 +3,7 @@
 import { mount } from "./mount.js";
 import { button, group, tidy } from "./dom.js";
 import { clip } from "./steps.js";
+import { followTerms } from "./terms.js";
 
 /** @import { Joints, Knob, Live } from "./types.js" */
 
@@ -97,11 +98,12 @@ function start(view) {
   const joints = pageJoints(q), knobs = scene.knobs;
   view.replaceChildren();
   const live = mount(view, scene, joints, formula);
+  followTerms(view, () => live);
   const opening = document.querySelectorAll(".kl-page > .kl-opening > *");
   view.querySelector(".kl-head")?.prepend(...opening);
   if (!("address" in view.dataset)) return;
   followAddress(knobs, joints, live);
-  view.querySelector(".kl-more")?.append(group("Share",
+  view.querySelector(".kl-more")?.prepend(group("Share",
     button("Copy link", "Copy a link to this pose", () => copyLink(knobs, joints, live))));
 }
 

@@ -2,9 +2,11 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Collection
 from xml.etree import ElementTree
 
 _SPACE = "http://www.w3.org/1998/Math/MathML"
+_INDEXED = (f"{{{_SPACE}}}msub", f"{{{_SPACE}}}msubsup")
 ElementTree.register_namespace("", _SPACE)
 # Space about sin and cos, and none between a sign and what it belongs to.
 _OPERAND, _FUNCTION = r"(</(?:mi|mn|msub|msup|msubsup|mrow)>)", "((?:<msup>)?<mi>(?:sin|cos)</mi>)"
@@ -40,25 +42,35 @@ def typeset(text: str) -> str:
     return re.sub(r"\$([^$]+)\$", lambda found: mathematics(found[1]), text)
 
 
-def named(latex: str, joints: int) -> str:
+def named(latex: str, joints: int, slides: Collection[int] = ()) -> str:
     """A matrix in closed form as MathML whose parts carry names, with its LaTeX as text beside it.
 
-    Rows have `data-row`, entries `data-entry` (row and column, from 1), sines and cosines
-    `data-factor` and the numbers of the joints in them, `data-joints`. With more than nine joints
-    of an arm, indices are separated by commas.
+    Rows have `data-row`, entries `data-entry` (row and column, from 1) and `data-holds`, the
+    numbers of the joints in them. What moves with joints has `data-factor` and their numbers,
+    `data-joints`: sines and cosines, and d of the joints in `slides`. With more than nine joints
+    of an arm, indices are separated by commas. Angles and lengths have classes of their own.
 
-    >>> '<msub data-factor="S23" data-joints="2 3">' in named("S_{23}", joints=6)
+    >>> '<msub data-factor="S23" data-joints="2 3" class="kl-of-angle">' in named("S_{23}", 6)
     True
     """
     math = ElementTree.fromstring(mathematics(latex, display=True))
+    for symbol in (part for part in math.iter() if part.tag in _INDEXED):
+        letter, index, *_ = ("".join(part.itertext()) for part in symbol)
+        numbers = re.findall(r"\d+" if joints > 9 else r"\d", index)
+        angle = letter in ("C", "S", "θ")
+        if angle or (letter == "d" and {*map(int, numbers)} <= {*slides}):
+            symbol.set("data-factor", letter + index)
+            symbol.set("data-joints", " ".join(numbers))
+        symbol.set("class", "kl-of-angle" if angle else "kl-of-length")
     for i, row in enumerate(math.iter(f"{{{_SPACE}}}mtr"), start=1):
         row.set("data-row", str(i))
         for j, entry in enumerate(row, start=1):
             entry.set("data-entry", f"{i},{j}")
-    for factor in math.iter(f"{{{_SPACE}}}msub"):
-        letter, index = ("".join(part.itertext()) for part in factor)
-        if letter in ("C", "S"):
-            factor.set("data-factor", letter + index)
-            factor.set("data-joints", " ".join(re.findall(r"\d+" if joints > 9 else r"\d", index)))
+            entry.set("data-holds", " ".join(map(str, sorted(_held(entry)))))
     math.set("alttext", latex)
     return ElementTree.tostring(math, encoding="unicode")
+
+
+def _held(entry: ElementTree.Element) -> set[int]:
+    """The numbers of the joints in an entry."""
+    return {int(number) for part in entry.iter() for number in part.get("data-joints", "").split()}

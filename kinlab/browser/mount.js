@@ -6,18 +6,23 @@ import { Bar } from "./bar.js";
 import { follower } from "./chase.js";
 import { Controls } from "./controls.js";
 import { make, write } from "./dom.js";
+import { fitFormula } from "./formula.js";
 import { inRoom, seenFrom } from "./frames.js";
 import { Grasp } from "./grasp.js";
+import { Highlight } from "./highlight.js";
 import { seenFlat } from "./holds.js";
 import { missed, poseTable, readingLines } from "./panels.js";
 import { Picture } from "./picture.js";
 import { Plan } from "./plan.js";
 import { Mover } from "./player.js";
 import { orbit } from "./pointer.js";
+import { Pointing } from "./pointing.js";
 import { Walk, stages } from "./stages.js";
 import { minus } from "./vectors.js";
 
-/** @import { Joints, Knob, Lens, Live, Looks, Scene, Solved, TargetScene } from "./types.js" */
+/** @import { Source } from "./pointing.js" */
+/** @import { Frame, Joints, Knob, Lens, Live, Looks, Scene, Solved } from "./types.js" */
+/** @import { Spot, TargetScene } from "./types.js" */
 
 const MOVE = 700, TOUR = 900;                       // ms from pose to pose
 const HEARD = 400;                                  // ms: a screen reader need not hear every step
@@ -70,14 +75,19 @@ class View {
 
   release = () => {};
 
+  unpoint = () => {};
+
+  loosen = () => {};
+
   /**
    * @param {HTMLElement} element
    * @param {Scene} scene
    * @param {Joints} joints
    * @param {string} formula
    * @param {Looks | null} before how another scene was looked at in this place
+   * @param {Pointing} pointing
    */
-  constructor(element, scene, joints, formula, before) {
+  constructor(element, scene, joints, formula, before, pointing) {
     this.element = element;
     this.controls = before?.controls ?? new Controls();
     this.plan = before?.plan ?? new Plan(this.controls.node);
@@ -101,6 +111,7 @@ class View {
     this.formula.innerHTML = formula;               // MathML that kinlab has made
     this.chase = scene.target && follower(/** @type {TargetScene} */ (scene), joints,
                                           (found) => { this.solved = found; });
+    this.highlight = new Highlight(this, pointing);
     this.mover = new Mover(() => this.playing(false));
     this.walk = new Walk(scene);
     this.bar = new Bar(scene, this.acts(), this.walk.has);
@@ -120,6 +131,7 @@ class View {
     plan.put("stage", box, this.bar.node);
     plan.put("side", pose?.node, lines.node, this.remark);
     if (this.formula.innerHTML) plan.put("below", this.formula);
+    this.loosen = fitFormula(this.formula, scene.pose?.columns ?? []);
     this.controls.take(scene.knobs, this.joints, () => this.note(this.said));
     for (const { layer, on } of scene.layers) this.switch(layer, before?.shown[layer] ?? on);
     this.look(before?.began === scene.preset ? before.preset : scene.preset);
@@ -127,6 +139,7 @@ class View {
     this.release = orbit(box, picture, () => this.redraw(), () => this.look(this.preset),
                          this.hands);
     this.silence = this.joints.listen(() => this.moved());
+    this.unpoint = this.highlight.begin();
     this.draw();
     this.sizes.observe(box);
   }
@@ -227,9 +240,9 @@ class View {
 
   draw() {
     this.pending = 0;
-    const { scene, pose, lines } = this, q = this.joints.read(), all = this.picture.draw(q);
-    pose?.update(seenFrom(all[scene.tip], all[scene.pose?.base ?? 0]));
-    lines.update(all, q);
+    const { scene, lines } = this, q = this.joints.read(), all = this.picture.draw(q);
+    const changed = [...this.pose?.update(this.posed(all)) ?? [], ...lines.update(all, q)];
+    this.highlight.follow(changed, q);
     if (this.chase) write(this.error, missed(/** @type {TargetScene} */ (scene), all, this.solved));
     write(this.shrunk, drawnAt(this.picture.lens));
     this.hands.drawn();
@@ -258,6 +271,15 @@ class View {
     this.remark.classList.toggle("kl-warns", Boolean(wrong));
   }
 
+  /** @param {Frame[]} all */
+  posed(all) { return seenFrom(all[this.scene.tip], all[this.scene.pose?.base ?? 0]); }
+
+  /**
+   * @param {Spot | null} spot
+   * @param {Source} [source]
+   */
+  point(spot, source) { this.highlight.pointing.point(spot, source); }
+
   describe() {
     const state = [this.pose, this.lines].map((panel) => panel?.text()).filter(Boolean).join("; ");
     this.picture.svg.setAttribute("aria-label", `${this.scene.name}, ${state}`);
@@ -269,6 +291,8 @@ class View {
     this.mover.stop();
     this.silence();
     this.release();
+    this.unpoint();
+    this.loosen();
     cancelAnimationFrame(this.pending);
     cancelAnimationFrame(this.settling);
     clearTimeout(this.heard);
@@ -292,10 +316,12 @@ class View {
  * @param {Joints} joints in radians and lengths
  * @param {string} formula MathML to stand below, or ""
  * @param {Looks | null} before what leave() returned, to look at another arm in the same way
+ * @param {Pointing} pointing shared with what stands beside the view and points at it
  * @returns {Live}
  */
-export function mount(element, scene, joints, formula = "", before = null) {
-  const view = new View(element, scene, joints, formula, before);
+export function mount(element, scene, joints, formula = "", before = null,
+                      pointing = new Pointing()) {
+  const view = new View(element, scene, joints, formula, before, pointing);
   view.show(before);
   return view;
 }

@@ -1,12 +1,19 @@
 // What stands under the picture and follows it: the tool's pose, formulas, a target's error.
 
-import { make, number, write } from "./dom.js";
+import { make, number, rewrite } from "./dom.js";
 import { ROTATE, inRoom, travel } from "./frames.js";
 import { clip } from "./steps.js";
 import { dot } from "./vectors.js";
 
 /** @import { Amount, Elementary, Entry, Frame, Part, Pose, Scene, Solved } from "./types.js" */
 /** @import { TargetScene, Vector, Volume } from "./types.js" */
+
+/**
+ * What explains a column where it stands, if that is one word.
+ * @param {string | undefined} title
+ */
+const shortly = (title) =>
+  title && !title.includes(" ") ? [make("span", { class: "kl-short" }, title)] : [];
 
 /**
  * The matrix of the tip's frame: axes and origin as columns, or only `rows` axes as columns.
@@ -19,22 +26,27 @@ export function poseTable(pose) {
   const style = (/** @type {number} */ k) =>
     ({ class: k < rows ? `kl-column-${"xyz"[k]}` : "kl-column-o" });
   const head = make("tr", {}, ...pose.columns.map(({ name, title }, k) =>
-    make("th", { ...style(k), scope: "col", title },
-         k === rows && pose.unit ? `${name} (${pose.unit})` : name)));
+    make("th", { ...style(k), scope: "col", title,
+                 "aria-label": title ? `${name}, ${title}` : null },
+         k === rows && pose.unit ? `${name} (${pose.unit})` : name, ...shortly(title))));
   const cells = pose.columns.map((_, i) => pose.columns.map((__, k) =>   // named as in formulas
     make("td", { ...style(k), "data-entry": `${i + 1},${k + 1}` })));
   const table = make("table", { class: "kl-pose" }, make("caption", {}, pose.title),
     make("thead", {}, head),
     make("tbody", {}, ...cells.map((row, i) => make("tr", { "data-row": i + 1 }, ...row))));
-  cells[rows]?.forEach((cell, k) => { cell.textContent = k < rows ? "0" : "1"; });
-  const update = (/** @type {Frame} */ frame) => {
-    cells.slice(0, rows).forEach((row, i) => row.forEach((cell, k) => {
-      write(cell, number(frame[sources[k]][i], k < rows ? 3 : pose.decimals));
-    }));
-  };
+  cells[rows]?.forEach((cell, k) => {
+    cell.textContent = k < rows ? "0" : "1";
+    cell.setAttribute("data-holds", "");            // no joint moves the last row
+  });
+  const entries = cells.slice(0, rows).flat();
+  const read = (/** @type {Frame} */ frame) => entries.map((_, at) => {
+    const k = at % cells.length, i = Math.floor(at / cells.length);
+    return number(frame[sources[k]][i], k < rows ? 3 : pose.decimals);
+  });
+  const update = (/** @type {Frame} */ frame) => rewrite(entries, read(frame));
   const text = () => cells.slice(0, rows).map((row) => row[rows].textContent).join(", ");
   const said = () => whole ? `${pose.said ?? "origin"} at ${text()} ${pose.unit}` : "";
-  return { node: table, update, text: said };
+  return { node: table, entries, read, update, text: said };
 }
 
 /**
@@ -75,12 +87,14 @@ export function readingLines({ readings, decimals, motions }) {
   const entry = ({ knob, texts }, all, q) =>
     texts[clip(Math.round(q[knob]), 0, texts.length - 1)];
   /** @type {Record<Part["kind"], (part: any, all: Frame[], q: number[]) => string>} */
-  const read = { vector, amount, volume, entry };
-  /** @type {(all: Frame[], q: number[]) => void} */
-  const update = (all, q) => {
-    for (const [span, part] of spans) write(span, read[part.kind](part, all, q));
-  };
-  return { node: box, update, text: () => [...box.children].map((l) => l.textContent).join("; ") };
+  const readers = { vector, amount, volume, entry };
+  /** @type {(all: Frame[], q: number[]) => string[]} */
+  const read = (all, q) => spans.map(([, part]) => readers[part.kind](part, all, q));
+  const entries = spans.map(([span]) => span);
+  /** @type {(all: Frame[], q: number[]) => Element[]} */
+  const update = (all, q) => rewrite(entries, read(all, q));
+  return { node: box, entries, read, update,
+           text: () => [...box.children].map((l) => l.textContent).join("; ") };
 }
 
 /**

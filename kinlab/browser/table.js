@@ -294,7 +294,8 @@ export class Editor {
       press("✕", `Remove row ${i} (Alt+Delete)`, () => this.remove(row.key),
             { tabindex: "-1", disabled: last === 1 }));
     return [
-      make("tr", {}, make("th", { scope: "row", title: row.name || `joint ${i}` }, String(i)),
+      make("tr", { "data-joint": i },
+        make("th", { scope: "row", title: row.name || `joint ${i}` }, String(i)),
         make("td", {}, choose(`Type of joint ${i}`, kinds, row.kind,
           (kind) => this.send("with_kind", this.place(row.key), kind))), ...cells, tools),
       this.reason("tr", this.columns.map((column) => `${row.key} ${column}`),
@@ -422,9 +423,10 @@ const placeOf = (node) => (node instanceof HTMLElement && node.dataset.at || "")
  * Show a model's table in an element.
  * @param {Model} model
  * @param {HTMLElement} element
+ * @param {() => void} shown called when its parts may be others
  * @returns {() => void} ends it
  */
-export function showTable(model, element) {
+export function showTable(model, element, shown = () => {}) {
   const editor = new Editor(model, element);
   const show = () => {
     const { last } = editor;
@@ -433,6 +435,7 @@ export function showTable(model, element) {
       editor.after = null;
     }
     editor.show();
+    shown();
   };
   editor.show();
   model.on("change:cells", show);

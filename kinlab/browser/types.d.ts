@@ -111,6 +111,7 @@ export interface Knob {
   name: string;
   label: string;
   title: string;
+  quantity: string;
   unit: string;
   suffix: string;
   low: number;
@@ -194,6 +195,12 @@ export interface Scene {
 /** A scene whose joints follow a target. */
 export type TargetScene = Scene & { target: Target };
 
+/** What a hand, a focus or a word points at: joints and links by number, frames by name. */
+export interface Spot { joints?: number[]; frames?: string[]; links?: number[] }
+
+/** All that lights up then: a joint with its link, its frame and the one before. */
+export interface Pointed { joints: Set<number>; frames: Set<string>; links: Set<number> }
+
 /** Where a picture is seen from, angles in degrees. */
 export interface Camera {
   azimuth: number;
@@ -257,7 +264,12 @@ export interface Looks {
 }
 
 /** A view that stands in a page. */
-export interface Live { note(text: string): void; leave(): Looks; dismount(): void }
+export interface Live {
+  note(text: string): void;
+  point(spot: Spot | null, source?: import("./pointing.js").Source): void;
+  leave(): Looks;
+  dismount(): void;
+}
 
 /** The model that anywidget gives. */
 export interface Model {

@@ -4,7 +4,9 @@
 import { make, write } from "./dom.js";
 import { mount } from "./mount.js";
 import { keepViews } from "./saved_views.js";
+import { followTerms } from "./terms.js";
 
+/** @import { Pointing } from "./pointing.js" */
 /** @import { Joints, Knob, Live, Model } from "./types.js" */
 
 const TELL = 100;                                   // ms between two messages to Python
@@ -127,9 +129,10 @@ function watchPython(model) {
  * Show a model's view in an element.
  * @param {Model} model
  * @param {HTMLElement} el
+ * @param {Pointing} [pointing] what stands beside the view and points at it shares this
  * @returns {() => void} ends it
  */
-export function showView(model, el) {
+export function showView(model, el, pointing) {
   const python = watchPython(model), place = make("div");
   /** @type {Set<string>} */
   const gripped = new Set();
@@ -143,7 +146,7 @@ export function showView(model, el) {
     joints?.leave();
     const scene = model.get("scene");
     joints = modelJoints(model, scene.knobs, python.listening, gripped);
-    live = mount(place, scene, joints, model.get("formula"), before);
+    live = mount(place, scene, joints, model.get("formula"), before, pointing);
     place.append(python.line);
     joints.listen(remark);
     remark();
@@ -153,7 +156,9 @@ export function showView(model, el) {
   model.on("change:note", remark);
   model.on("change:scene", show);
   keepViews(model.widget_manager);
+  const unfollow = followTerms(place, () => live);
   return () => {
+    unfollow();
     model.off("change:note", remark);
     model.off("change:scene", show);
     live?.dismount();

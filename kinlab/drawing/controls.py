@@ -39,19 +39,20 @@ class Knob:
     title: str = ""
     whole: bool = False
     pair: str = ""
+    quantity: str = ""  # "angle", "length", "target": the colour of its name
 
     @classmethod
     def angle(cls, name: str, label: str, low: float = -math.pi, high: float = math.pi,
               home: float = 0.0, title: str = "") -> Knob:
         """A knob in degrees for an angle in radians."""
-        return cls(name, label, low, high, home, "°", math.radians(1), 1.0, title)
+        return cls(name, label, low, high, home, "°", math.radians(1), 1.0, title, quantity="angle")
 
     @classmethod
     def length(cls, name: str, label: str, low: float, high: float, home: float = 0.0,
                unit: str = "", title: str = "") -> Knob:
         """A knob for a length; an arrow key moves it by about a fiftieth of its way."""
         step = 10.0 ** math.floor(math.log10((high - low) / 20))
-        return cls(name, label, low, high, home, unit, 1.0, step, title)
+        return cls(name, label, low, high, home, unit, 1.0, step, title, quantity="length")
 
     @property
     def ends(self) -> tuple[float, float]:
@@ -195,8 +196,7 @@ def arm_switches(show: Any) -> tuple[Switch, ...]:
     return tuple(Switch(layer, *_SWITCHES[layer], layer in (*on, "floor")) for layer in LAYERS)
 
 
-_COLUMNS = (("n", "normal vector"), ("s", "sliding vector"), ("a", "approach vector"),
-            ("p", "position"))
+_COLUMNS = (("n", "normal"), ("s", "sliding"), ("a", "approach"), ("p", "position"))
 
 
 def tool_table(arm: Arm, size: float) -> PoseTable:

@@ -48,8 +48,9 @@ def _ring_frame(sketch: Sketch, axes: int, place: np.ndarray) -> int:
 def _knob(sketch: Sketch, axis: int, place: np.ndarray) -> Knob:
     low, high = (sketch.center[axis] + side * sketch.radius for side in (-1, 1))
     letter = "xyz"[axis]
-    return Knob.length(letter, f"{letter}*", low, high, float(place[axis]), sketch.unit,
+    knob = Knob.length(letter, f"{letter}*", low, high, float(place[axis]), sketch.unit,
                        f"target along {letter}")
+    return replace(knob, quantity="target")
 
 
 def _ring(sketch: Sketch, frame: int) -> None:

@@ -95,7 +95,7 @@ class ArmView(JointView):
         if poses is not None:
             scene = replace(scene, poses=tuple(map(tuple, _poses(arm, poses).tolist())))
         self._arm = arm
-        super().__init__(scene, formula=_formula(arm) if closed_form else "")
+        super().__init__(scene, formula=_closed_form(arm) if closed_form else "")
         self.note = self._stops(start)
 
     def follow(self, arm: Arm, q: Any = None) -> None:
@@ -134,10 +134,16 @@ def joints_text(arm: Arm, values: Sequence[float]) -> str:
     return "[" + ", ".join(f"{numbers([v])} {unit}" for v, unit in zip(values, units)) + "]"
 
 
-def _formula(arm: Arm) -> str:
+def formula_of(arm: Arm, latex: str) -> str:
+    """A matrix of the arm as MathML whose factors name their joints."""
+    slides = [i for i, link in enumerate(arm.links, start=1) if link.kind != REVOLUTE]
+    return mathml.named(latex, arm.n, slides)
+
+
+def _closed_form(arm: Arm) -> str:
     from ..arms.symbolic import closed_form
 
-    return mathml.named(closed_form(arm).latex, arm.n)
+    return formula_of(arm, closed_form(arm).latex)
 
 
 def _poses(arm: Arm, poses: Any) -> np.ndarray:

@@ -14,7 +14,7 @@ from ..arms import inputs, printed
 from ..arms.arm import Arm, check_arm
 from ..arms.joints import first_pose
 from ..arms.link import REVOLUTE, revolute
-from ..browser import bundle, mathml
+from ..browser import bundle
 from ..drawing import worker
 from ..drawing.arm_scene import arm_scene
 from ..drawing.controls import tool_name
@@ -23,7 +23,7 @@ from ..tables.as_csv import from_csv, to_csv
 from ..tables.cells import MILLIMETRES
 from ..tables.other_convention import other_reading
 from ..tables.table import DHTable
-from .arm_view import ArmView, joints_text
+from .arm_view import ArmView, formula_of, joints_text
 from .table_panels import compared_html, lengths_text, reasons, signs_html, state, table_text
 
 EDITS = ("with_cell", "with_kind", "with_row", "without_row", "with_row_moved", "with_length",
@@ -251,7 +251,7 @@ class DHTableEditor(ArmView):
         latex = closed_form(self._arm, lengths=lengths).latex
         if len(latex) > LONGEST_FORMULA:
             return _ODD
-        return mathml.named(f"T_0^{{{tool_name(self._arm)}}} = {latex}", self._arm.n)
+        return formula_of(self._arm, f"T_0^{{{tool_name(self._arm)}}} = {latex}")
 
     def _compared(self) -> str:
         arm, q = self._arm, self.q

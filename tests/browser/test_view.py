@@ -18,8 +18,9 @@ import kinlab as kl
 ALPHA = kl.robots.alpha_ii
 SHOW = "import kinlab as kl, numpy as np\nview = kl.ArmView(kl.robots.alpha_ii())\nview"
 THREE_D = (-60, 24, 1)
-BUTTONS = ["Home", "Zero", "Step back", "Play", "Step forward", "3-D", "Top", "Front", "Side",
-           "Perspective", "Frames", "Labels", "Joint axes", "Trace", "Ghost", "Full screen"]
+BUTTONS = ["Home", "Zero", "Step back", "Play", "Step forward", "Full screen", "3-D", "Top",
+           "Front", "Side", "Perspective", "Frames", "Labels", "Joint axes", "Trace",
+           "Ghost"]
 
 
 def button(view, name):
