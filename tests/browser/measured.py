@@ -8,7 +8,8 @@ wider than its place.
 
 MEASURE = """() => {
     const svg = document.querySelector('.kl-picture svg'), frame = svg.getBoundingClientRect();
-    const seen = node => node.checkVisibility({opacityProperty: true, visibilityProperty: true});
+    const seen = node => node.getClientRects().length   // none where an ancestor is switched off
+        && node.checkVisibility({opacityProperty: true, visibilityProperty: true});
     const group = node => node.closest('[data-part]') ?? node.closest('g[id]') ?? node;
     const part = node => group(node).dataset.part || group(node).getAttribute('class') || '';
     const flat = node => node.closest('.kl-layer-floor')

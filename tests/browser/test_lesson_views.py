@@ -3,11 +3,10 @@ import re
 
 import numpy as np
 import pytest
+from hands import assert_both_hands_agree
 from lesson_views import VIEWS
-from plain import MOUNT, PAINTED
-from test_plain_page import assert_same_path, js_frames
-
-from kinlab.drawing import figure
+from plain import MOUNT
+from test_plain_page import js_frames
 
 
 @pytest.mark.parametrize("make", VIEWS.values(), ids=VIEWS)
@@ -21,19 +20,9 @@ def test_a_lessons_view_moves_as_python_says(blank, make):
         blank.evaluate(MOUNT, [view.scene, q])
         np.testing.assert_allclose(js_frames(blank, scene, q), scene.frames(q),
                                    rtol=1e-9, atol=1e-9)
-        assert_as_drawn(blank.evaluate(PAINTED), scene, q, view._scene.seen_from)
+        assert_both_hands_agree(blank, scene, q, scene.seen_from, scene.shown)
         assert_formulas(blank, view)
         blank.evaluate("live.dismount()")
-
-
-def assert_as_drawn(seen, scene, q, preset):
-    frames, camera = scene.frames(q), figure.Camera(*scene.presets[preset]).axes
-    for item in scene.items:
-        points = figure.project(scene, frames, camera, item)
-        if item.shape == "text":
-            assert abs(seen["texts"][item.gid][0] - points[0, 0]) < 0.02
-        elif item.shape != "trace":
-            assert_same_path(item, seen["paths"][item.gid], points)
 
 
 def assert_formulas(page, view):
