@@ -3,6 +3,7 @@
 // widget's traits, host_page.js to the address of a plain page.
 
 import { Bar } from "./bar.js";
+import { Chart } from "./chart.js";
 import { follower } from "./chase.js";
 import { Controls } from "./controls.js";
 import { make, write } from "./dom.js";
@@ -105,6 +106,7 @@ class View {
       `${seenFlat(scene) ? "P" : "p"}lus and minus zoom, 0 resets.${this.hands.help()}`);
     this.pose = scene.pose && poseTable(scene.pose);
     this.lines = readingLines(scene);
+    this.chart = scene.chart && new Chart(scene.chart, scene.paints);
     this.error = make("div", { class: "kl-number" });
     this.remark = make("div", { class: "kl-remark", role: "status" });
     this.formula = make("div", { class: "kl-math", role: "group", "aria-label": "Formula" });
@@ -124,6 +126,7 @@ class View {
   show(before) {
     const { element, box, picture, pose, lines, plan, scene } = this;
     if (this.chase) lines.node.append(this.error);
+    if (this.chart) lines.node.prepend(this.chart.node);
     element.classList.add("kl-view");
     element.classList.toggle("kl-wide", scene.wide);
     if (!before) element.append(plan.node);
@@ -243,6 +246,7 @@ class View {
     const { scene, lines } = this, q = this.joints.read(), all = this.picture.draw(q);
     const changed = [...this.pose?.update(this.posed(all)) ?? [], ...lines.update(all, q)];
     this.highlight.follow(changed, q);
+    this.chart?.draw(q);
     if (this.chase) write(this.error, missed(/** @type {TargetScene} */ (scene), all, this.solved));
     write(this.shrunk, drawnAt(this.picture.lens));
     this.hands.drawn();
@@ -293,6 +297,7 @@ class View {
     this.release();
     this.unpoint();
     this.loosen();
+    this.chart?.leave();
     cancelAnimationFrame(this.pending);
     cancelAnimationFrame(this.settling);
     clearTimeout(this.heard);

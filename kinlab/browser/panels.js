@@ -93,8 +93,9 @@ export function readingLines({ readings, decimals, motions }) {
   const entries = spans.map(([span]) => span);
   /** @type {(all: Frame[], q: number[]) => Element[]} */
   const update = (all, q) => rewrite(entries, read(all, q));
-  return { node: box, entries, read, update,
-           text: () => [...box.children].map((l) => l.textContent).join("; ") };
+  const text = () => [...box.querySelectorAll(":scope > :not(.kl-chart)")]
+    .map((line) => line.textContent).join("; ");
+  return { node: box, entries, read, update, text };
 }
 
 /**

@@ -1,5 +1,6 @@
 // What a scene's items become in an SVG picture: solids, axes of frames, strokes and words.
 
+import { isThere } from "./curves.js";
 import { inRoom } from "./frames.js";
 import { textSize } from "./labels.js";
 import { dimmed, faces, hull, pale, shades } from "./solids.js";
@@ -12,14 +13,16 @@ import { minus, norm, partway, plus, times, unit } from "./vectors.js";
 /** @typedef {Required<Item>} Whole */
 
 const USUAL = { body: -1, layer: "", text: "", lift: 0, paper: false, size: [], part: "", frame: "",
-                joint: null, link: null };
+                joint: null, link: null, when: null };
 
 /** @type {(item: Item) => Whole} */
 export const whole = (item) => /** @type {Whole} */ ({ ...USUAL, ...item });
 
 /** The drawn group of an item, which says what it is a picture of. */
-class Part {
-  on = true;                                        // whether its layer is
+export class Part {
+  layerOn = true;
+
+  there = true;                                     // whether its knob lets it be seen
 
   lit = true;                                       // whether something else is pointed at
 
@@ -31,10 +34,20 @@ class Part {
       "data-part": part || shape, "data-joint": joint, "data-link": link });
   }
 
+  get on() { return this.layerOn && this.there; }
+
   /** @param {boolean} on */
   show(on) {
-    this.on = on;
-    this.group.style.display = on ? "" : "none";
+    this.layerOn = on;
+    this.group.style.display = this.on ? "" : "none";
+  }
+
+  /** @param {number[]} q */
+  heed(q) {
+    const there = isThere(this.item, q);
+    if (there === this.there) return;
+    this.there = there;
+    this.show(this.layerOn);
   }
 
   /** @param {boolean} lit */
@@ -328,9 +341,11 @@ function facing(points) {
  * How the points of a shape become a path.
  * @type {Record<string, (points: number[][]) => string>}
  */
-export const PATHS = { line: polyline, trace: polyline, face: facing,
+export const PATHS = { line: polyline, trace: polyline, sweep: polyline, way: polyline,
+                       area: polygon, patch: polygon, face: facing,
                        arrow: (points) => polygon(arrowPoints(points)),
                        hull: (points) => polygon(hull(points)) };
+const OPEN_SHAPES = ["line", "trace", "sweep", "way"];   // never filled
 
 /** A line, an arrow, a face or an outline. */
 export class Stroke extends Part {
@@ -345,7 +360,7 @@ export class Stroke extends Part {
   /** @param {Whole} item @param {Paint} paint */
   constructor(item, paint) {
     super(item);
-    const open = item.shape === "line" || item.shape === "trace";
+    const open = OPEN_SHAPES.includes(item.shape);
     this.path = drawn("path", { ...paint, fill: open ? "none" : paint.fill ?? "none" });
     this.group.append(this.path);
   }

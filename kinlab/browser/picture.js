@@ -1,15 +1,15 @@
 // The picture, drawn from the scene alone, as kinlab/drawing/figure.py draws it: the frames of
-// frames.js, seen through the lens of camera.js. One unit of the SVG is one pixel of the page, or
-// more on a large screen.
+// frames.js, seen through the lens of camera.js. One unit of the SVG is one pixel of the page.
 
 import { lens } from "./camera.js";
+import { Cloud } from "./cloud.js";
+import { cornersOf } from "./curves.js";
 import { FloorPart } from "./floor_part.js";
-import { frames } from "./frames.js";
+import { frames, inRoom } from "./frames.js";
 import { place } from "./labels.js";
 import { backToFront } from "./order.js";
 import { Axis, Solid, Stroke, Words, whole } from "./parts.js";
 import { Steady } from "./steady.js";
-import { clip } from "./steps.js";
 import { arrange, drawn } from "./svg.js";
 import { norm, minus } from "./vectors.js";
 
@@ -18,7 +18,6 @@ import { norm, minus } from "./vectors.js";
 /** @typedef {{ joints?: Set<number>, frames?: Set<string>, links?: Set<number> }} Pointed */
 
 const TRACE_LENGTH = 4000, TRACE_STEP = 0.2;        // points; px
-const ORDINARY = 620, MAGNIFIED = 1.6;                // px: a picture's side; times larger words
 const LABEL_STEPS = 3;                              // towards its place, in each picture
 const UNFRAMED = ["axes", "ghost", "trace"];        // layers that may leave the picture
 const SOLID_SHAPES = ["tube", "ball", "box"], WORD_SHAPES = ["text", "name"];
@@ -63,25 +62,29 @@ export class Picture {
     this.solids = of(SOLID_SHAPES).map((i) => new Solid(i, paints[i.style], paints.amber ?? {}));
     this.axes = of(["axis"]).map((item) => new Axis(item));
     this.words = of(WORD_SHAPES).map((item) => new Words(item, paints[item.style]));
-    this.strokes = items.filter(({ shape }) => ![...SOLID_SHAPES, ...WORD_SHAPES, "axis"]
-      .includes(shape)).map((item) => new Stroke(item, paints[item.style]));
+    this.clouds = of(["cloud"]).map((item) => new Cloud(item, paints[item.style]));
+    const others = [...SOLID_SHAPES, ...WORD_SHAPES, "axis", "cloud"];
+    this.strokes = items.filter(({ shape }) => !others.includes(shape))
+     .map((item) => new Stroke(item, paints[item.style]));
     this.floor = scene.floor ? new FloorPart(scene.floor) : null;
-    this.parts = [...this.solids, ...this.axes, ...this.strokes, ...this.words];
+    this.parts = [...this.solids, ...this.axes, ...this.strokes, ...this.words, ...this.clouds];
+    this.heeding = this.parts.filter(({ item }) => item.when);
     this.layers = this.layOut();
     this.svg = drawn("svg", { role: "img" }, ...Object.values(this.layers));
-    this.home = this.extents(frames(scene.motions, scene.home));
+    this.home = this.extents(frames(scene.motions, scene.home), scene.home);
     this.reset(scene.preset);
     this.resize(scene.size[0], scene.size[1]);
   }
 
   /** Groups of the picture from the farthest to the nearest. */
   layOut() {
-    const { floor, axes, strokes, words } = this, names = ["sunk", "floor", "under", "solids",
-      "hints", "over", "words"];
+    const { floor, axes, strokes, words, clouds } = this;
+    const names = ["sunk", "floor", "under", "solids", "hints", "over", "words"];
     const layers = Object.fromEntries(names.map((name) =>
       [name, drawn("g", { class: `kl-layer-${name}` })]));
     layers.floor.append(...floor ? [floor.group] : []);
-    layers.under.append(...strokes.filter(({ item }) => item.body < 0).map((part) => part.group));
+    layers.under.append(...clouds.map(({ group }) => group),
+      ...strokes.filter(({ item }) => item.body < 0).map((part) => part.group));
     layers.hints.append(...axes.map(({ hint }) => hint));
     layers.words.append(...words.map(({ group }) => group), ...floor ? [floor.words] : []);
     return layers;
@@ -97,14 +100,13 @@ export class Picture {
   }
 
   /**
-   * Fill a box of this size (px). In a large one, for a lecture, words and lines are larger, too.
+   * Take another size (px).
    * @param {number} width
    * @param {number} height
    */
   resize(width, height) {
-    const larger = clip(Math.min(width, height) / ORDINARY, 1, MAGNIFIED);
-    this.size = [width / larger, height / larger];
-    this.svg.setAttribute("viewBox", `0 0 ${this.size.join(" ")}`);
+    this.size = [width, height];
+    this.svg.setAttribute("viewBox", `0 0 ${width} ${height}`);
     for (const words of this.words) words.state = null;
     this.floor?.settle();
   }
@@ -117,6 +119,7 @@ export class Picture {
     if (layer === "trace") this.clear();
     if (layer === "floor") this.floor?.show(visible);
     this.turn(`layer ${layer}`, visible);
+    for (const cloud of this.clouds) cloud.cutBy(layer, visible);
   }
 
   /**
@@ -157,20 +160,22 @@ export class Picture {
 
   /**
    * Balls that have to be seen when the frames are these: the ends of solids, what is drawn beside
-   * the arm, and feet.
+   * the arm, feet, and points that the scene names.
    * @param {Frame[]} at
+   * @param {number[]} q
    * @returns {[Triple, number][]}
    */
-  extents(at) {
-    const { floor } = this.scene;
+  extents(at, q) {
+    const { floor, fit, motions } = this.scene;
     const bodies = this.solids.flatMap((solid) => solid.balls(at));
     const beside = this.strokes.filter(({ item }) => !item.paper && !UNFRAMED.includes(item.layer))
-      .flatMap((stroke) => stroke.places(at).map((point) => [point, 0]));
+      .flatMap(({ item }) => cornersOf(item, { motions, all: at, q }).map((point) => [point, 0]));
     const feet = (floor?.drops ?? []).flatMap((k) => {
       const [x, y, z] = at[k][3];
       return [[[x, y, z], 0], [[x, y, floor?.height ?? 0], 0]];
     });
-    return /** @type {[Triple, number][]} */ ([...bodies, ...beside, ...feet]);
+    const points = (fit?.points ?? []).map(([k, ...local]) => [inRoom(at[k], local), 0]);
+    return /** @type {[Triple, number][]} */ ([...bodies, ...beside, ...feet, ...points]);
   }
 
   /**
@@ -181,13 +186,16 @@ export class Picture {
     const { scene, size } = this, { focus, center } = scene;
     const at = this.at = frames(scene.motions, q), middle = focus == null ? center : at[focus][3];
     const seen = this.lens = this.steady.through(
-      lens(scene, this.camera, size, this.extents(at), this.home, middle));
+      lens(scene, this.camera, size, this.extents(at, q), this.home, middle));
     const paper = lens({ ...scene, fit: null }, PAPER, size, [], [], middle);
     this.follow(at[scene.tip][3]);
+    for (const part of this.heeding) part.heed(q);
     for (const stroke of this.strokes) {
-      const room = stroke.item.shape === "trace" ? this.path : stroke.places(at);
+      const room = stroke.item.shape === "trace" ? this.path
+        : cornersOf(stroke.item, { motions: scene.motions, all: at, q });
       stroke.draw(stroke.item.paper ? paper : seen, room);
     }
+    for (const cloud of this.clouds) cloud.draw(at, seen, center, scene.radius);
     const { shading, sunk } = this.drawBodies(seen);
     this.floor?.draw(seen, at, shading, sunk, size);
     this.stackStrokes();

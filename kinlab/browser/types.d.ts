@@ -40,7 +40,8 @@ export interface Velocity {
 export type Motion = Elementary | Velocity;
 
 export type Shape = "line" | "trace" | "face" | "arrow" | "hull" | "text" | "tube" | "ball" |
-  "box" | "axis" | "name";
+  "box" | "axis" | "name" | "sweep" | "patch" | "way" |
+  "area" | "cloud";
 
 /** One drawn thing, as Item in kinlab/drawing/scene.py; what is usual is left out. */
 export interface Item {
@@ -58,6 +59,7 @@ export interface Item {
   frame?: string;
   joint?: number | Nothing;
   link?: number | Nothing;
+  when?: [knob: number, low: number, high: number] | Nothing;
 }
 
 /** The ground: grid, numbers, shadow, and frames from whose origins a line is dropped on it. */
@@ -69,8 +71,8 @@ export interface Floor {
   decimals: number;
 }
 
-/** A ball round the arm at home, and the radius of its joints. */
-export interface Fit { middle: Triple; radius: number; thick: number }
+/** A ball round the arm at home, the radius of its joints, and what has to be seen besides. */
+export interface Fit { middle: Triple; radius: number; thick: number; points: Point[] }
 
 /**
  * How a style is painted: attributes of SVG; a solid's ramps go from shade by a middle to light.
@@ -163,6 +165,29 @@ export interface Handle {
   unit: string;
 }
 
+/** Curves over counted steps, as Chart in kinlab/drawing/chart.py. */
+export interface ChartScene {
+  curves: { name: string; style: string; marker: string; values: number[] }[];
+  across: string;
+  up: string;
+  knob: number;
+  last: number;
+  low: number;
+  high: number;
+}
+
+/** A curve on the picture: gone, still to come, and markers on the steps that are gone (px). */
+export interface Track { gone: number[][]; rest: number[][]; markers: number[][] }
+
+/** A chart laid out on a picture, in px. */
+export interface Plot {
+  box: [left: number, top: number, right: number, bottom: number];
+  across: [right: number, text: string][];
+  up: [down: number, text: string][];
+  tracks: Track[];
+  legend: [right: number, text: string][];
+}
+
 export interface Scene {
   name: string;
   motions: Motion[];
@@ -190,6 +215,7 @@ export interface Scene {
   poses: number[][];
   floor: Floor | Nothing;
   fit: Fit | Nothing;
+  chart: ChartScene | Nothing;
 }
 
 /** A scene whose joints follow a target. */

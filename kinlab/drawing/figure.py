@@ -22,6 +22,7 @@ from matplotlib.transforms import Affine2D, Transform, TransformedPath
 from PIL import Image
 
 from ..arms.motions import Numbers
+from .chart_marks import HEIGHT, chart_marks
 from .paints import Paint
 from .scene import Scene
 from .solids import OFFSETS, Across, Round
@@ -38,10 +39,12 @@ _RIM_COLOUR = "#ffffffd9"
 def figure(scene: Scene, q: Numbers, preset: str = "",
            show: Sequence[str] = ("frames", "labels", "floor")) -> Figure:
     """The scene drawn at joint values `q`, every part carrying its `gid`."""
-    width, height = scene.size
+    parts, (width, height) = still(scene, q, preset, show), scene.size
+    if scene.chart:
+        parts, height = [*parts, *chart_marks(scene.chart, q, scene.size)], height + HEIGHT
     fig = Figure(figsize=(width / 72, height / 72), dpi=72, facecolor="white")
     px = Affine2D().translate(0, -height).scale(1 / 72, -1 / 72) + fig.dpi_scale_trans
-    for drawn in still(scene, q, preset, show):
+    for drawn in parts:
         fig.add_artist(_Part(drawn, px))
     return fig
 

@@ -82,6 +82,11 @@ PAINTS: dict[str, Paint] = {
     "amber": _solid("#a86400", "#e69f00", "#ffdd94"),         # a link that is pointed at
     "ground": _paint(FAINT, 0.8),
     "mesh": _paint("#a9bccd", 1.0),
+    "region": _paint("none", 1.0, fill="#56b4e92e"),          # what is reached
+    "cloud": _paint("#3f7ca8", 2.8),
+    "section": _paint("#0b5c8f", 2, fill="#56b4e92e"),        # what is reached in a plane
+    "hole": _paint("#0b5c8f", 1.4, fill="#ffffff"),
+    "faint": _paint("#dcbccc", 1.2),                          # a way still to go
     "ghost": _paint(FAINT, 6),
     "link": _paint(STEEL, 8),
     "rod": _paint(STEEL, 5),

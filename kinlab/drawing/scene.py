@@ -14,12 +14,14 @@ import numpy as np
 
 from ..arms.kinematics import twist
 from ..arms.motions import Frame, Motion, Numbers, matrix
+from .chart import Chart
 from .controls import Handle, Knob, PoseTable, Switch, Target, decimals
 from .paints import PAINTS
 from .readings import Point, Reading
 
 LINE, FACE, HULL, ARROW, TEXT, TRACE = "line", "face", "hull", "arrow", "text", "trace"
 TUBE, BALL, BOX, AXIS, NAME = "tube", "ball", "box", "axis", "name"
+AREA, SWEEP, PATCH, WAY, CLOUD = "area", "sweep", "patch", "way", "cloud"
 SOLIDS = (TUBE, BALL, BOX)  # bodies with a surface that light falls on
 SPATIAL = {"3-D": (-60.0, 24.0), "top": (-90.0, 90.0), "front": (-90.0, 0.0), "side": (0.0, 0.0)}
 PLANAR = {"top": (-90.0, 90.0)}
@@ -157,6 +159,16 @@ class Item:
     axis   origin O, and O plus a unit        where outside the arm it begins (length), and
            vector: an arrow of constant size  how many frames before it have the same origin
     name   those of the axis that it names    those of that axis
+    sweep  one, carried along a curve         numbers of two motions from one frame: the first
+                                              carries the point, the curve leads to where the
+                                              second would
+    patch  one; drawn is what it sweeps       the same for two pairs of motions, the first one
+                                              nearer to the room
+    way    its corners, one for each step     number of the knob that says how far it has gone
+    area   its corners; seen from both sides
+    cloud  the lowest corner of a lattice in  number of a frame, on the negative side of whose y
+           the room, on which its dots lie;   axis dots are cut away while the layer "slice" is on,
+           its text is what `packed` gives    and the lattice's step
     ====== ================================== ================================================
 
     `shape` says how its points become a path, `style` how that is painted, `layer` which switch
@@ -168,7 +180,8 @@ class Item:
 
     `part`, `frame`, `joint` and `link` say what it is a picture of: a kind of thing such as
     "joint", the name of a frame, the number of a joint from 1, and of the link that it moves
-    with, 0 for the base.
+    with, 0 for the base. With `when`, a knob's number and two of its values, it is there only
+    while the knob stands between them.
     """
 
     gid: str
@@ -185,6 +198,7 @@ class Item:
     frame: str = ""
     joint: int | None = None
     link: int | None = None
+    when: tuple[int, float, float] | None = None
 
     def data(self) -> dict:
         """Plain data for the browser."""
@@ -211,12 +225,13 @@ class Fit:
     """The picture follows the solids: at home they fill it, and no pose leaves it.
 
     `middle` and `radius` are those of a ball round the arm at home, `thick` the radius of its
-    joints.
+    joints. The `points` stay in the picture as well.
     """
 
     middle: tuple[float, float, float]
     radius: float
     thick: float
+    points: tuple[Point, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -250,6 +265,7 @@ class Scene:
     decimals: int | None = None               # of formulas; what fits the size if left out
     floor: Floor | None = None
     fit: Fit | None = None                    # how the picture is framed; by the radius if left out
+    chart: Chart | None = None                # beside the picture
 
     @property
     def scale(self) -> float:
@@ -300,6 +316,11 @@ class Scene:
                                     for part in reading.parts)
                 for reading in self.readings}
 
+    def _styles(self) -> dict[str, None]:
+        curves = self.chart.curves if self.chart else ()
+        return dict.fromkeys(["amber", *(item.style for item in self.items),
+                              *(curve.style for curve in curves)])
+
     def data(self) -> dict:
         """The scene as plain data for the browser."""
         plain = ("name", "tip", "center", "radius", "scale", "size", "presets", "focus", "wide",
@@ -307,8 +328,7 @@ class Scene:
         return {key: getattr(self, key) for key in plain} | {
             "motions": [motion.data() for motion in self.motions],
             "items": [item.data() for item in self.items],
-            "paints": {style: PAINTS[style]
-                       for style in ("amber", *(item.style for item in self.items))},
+            "paints": {style: PAINTS[style] for style in self._styles()},
             "readings": [reading.data() for reading in self.readings],
             "place": self.heart, "preset": self.seen_from,
             "knobs": [knob.data() for knob in self.knobs],
@@ -317,6 +337,7 @@ class Scene:
             "pose": self.pose and self.pose.data(),
             "target": self.target and asdict(self.target),
             "handles": [asdict(handle) for handle in self.handles],
+            "chart": self.chart and self.chart.data(),
             "floor": self.floor and asdict(self.floor), "fit": self.fit and asdict(self.fit),
             "decimals": decimals(self.radius) if self.decimals is None else self.decimals,
         }

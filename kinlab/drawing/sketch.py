@@ -24,16 +24,19 @@ from ..arms.arm import Arm
 from ..arms.motions import ROTATE, TRANSLATE, Numbers, X, Y, Z
 from .arm_scene import arm_scene, is_planar
 from .controls import Handle, Knob, PoseTable, Switch, Target, subscript
+from .curves import corners
 from .readings import Amount, Entry, Point, Reading, Vector, Volume
 from .scene import (
     ARROW,
     AXIS,
     LINE,
     NAME,
+    PATCH,
     PLANAR,
     SIZE,
     SOLIDS,
     SPATIAL,
+    SWEEP,
     TEXT,
     TRACE,
     TUBE,
@@ -313,9 +316,9 @@ class Sketch:
 
     def _fitting(self, scene: Scene) -> Fit:
         """A frame round all that is drawn, words aside, as large as that is at home."""
-        frames = scene.frames(scene.begin)
-        places = np.array([(frames[int(k)] @ (*place, 1))[:3] for item in self.items
-                           if item.shape in (ARROW, LINE, *SOLIDS) for k, *place in item.points])
+        q, frames = scene.begin, scene.frames(scene.begin)
+        places = np.concatenate([corners(item, scene.motions, frames, q) for item in self.items
+                                 if item.shape in (ARROW, LINE, SWEEP, PATCH, *SOLIDS)])
         low, high = places.min(axis=0), places.max(axis=0)
         middle = tuple(((low + high) / 2).tolist())
         return Fit(middle, float(np.linalg.norm(high - low)) / 2, self.thick)

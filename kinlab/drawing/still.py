@@ -14,23 +14,30 @@ import numpy as np
 
 from ..arms.motions import Numbers
 from .camera import Camera, Extents, lens
+from .cloud import FADES, SLICE, layers, unpacked
+from .curves import corners, is_there
 from .floor import Drop, Ground, drop, faded, give_way, ground, shadow
 from .floor import Solid as Shading
 from .labels import Bar, Label, place, text_size
 from .order import Body, back_to_front
 from .paints import COLOURS, INK, PAINTS, Paint
 from .scene import (
+    AREA,
     ARROW,
     AXIS,
     BOX,
+    CLOUD,
     FACE,
     HULL,
     LINE,
     NAME,
+    PATCH,
     SOLIDS,
+    SWEEP,
     TEXT,
     TRACE,
     TUBE,
+    WAY,
     Floor,
     Item,
     Scene,
@@ -48,7 +55,8 @@ _COME = 13.0                    # px: from where words come that stand beside a 
 _KEPT_OFF = ("arc", "line")     # lines that words keep off,
 _PIECE = 4                      # in pieces of so many steps
 _PANE = 0.7                     # how much of what lies beyond the floor is covered
-_STROKES = (LINE, ARROW, FACE, HULL, TRACE)
+_OPEN, _CLOSED = (LINE, TRACE, SWEEP, WAY), (ARROW, FACE, HULL, AREA, PATCH)
+_STROKES = (*_OPEN, *_CLOSED)
 _UNFRAMED = ("axes", "ghost", "trace")  # layers that may leave the picture
 _GRID, _SHADE = "#c3ccd5", "#1d2a38"
 
@@ -122,15 +130,14 @@ class _Piece:
 class _Still:
     def __init__(self, scene: Scene, q: Numbers, preset: str, show: Sequence[str],
                  size: tuple[float, float]) -> None:
-        self.scene, self.size = scene, size
+        self.scene, self.size, self.q, self.show = scene, size, q, show
         self.frames = scene.frames(q)
-        self.items = [item for item in scene.items if not item.layer or item.layer in show]
+        self.items = [item for item in scene.items
+                      if (not item.layer or item.layer in show) and is_there(item, q)]
         self.floor: Floor | None = scene.floor if "floor" in show or not any(
             switch.layer == "floor" for switch in scene.switches) else None
-        home, middle = scene.frames(scene.begin), scene.middle(self.frames)
-        camera = Camera(*scene.presets[preset])
-        self.lens = lens(scene, camera, size, self._extents(self.frames), self._extents(home),
-                         middle)
+        camera, middle = Camera(*scene.presets[preset]), scene.middle(self.frames)
+        self.lens = lens(scene, camera, size, self._extents(q), self._extents(scene.begin), middle)
         self.paper = lens(replace(scene, fit=None), _PAPER, size, middle=middle)
 
     def painted(self) -> list[Drawn]:
@@ -138,38 +145,41 @@ class _Still:
         sunk, standing = self._ordered(pieces)
         drops = [self._drop(k) for k in self.floor.drops] if self.floor else []
         strokes = self._of(_STROKES)
-        under, over = ([item for item in strokes if (item.body >= 0) is above]
+        below, over = ([item for item in strokes if (item.body >= 0) is above]
                        for above in (False, True))
-        return [*sunk, *self._ground(pieces, drops, bool(sunk)), *map(self._stroke, under),
+        under = [*map(self._dots, self._of([CLOUD])), *map(self._stroke, below)]
+        return [*sunk, *self._ground(pieces, drops, bool(sunk)), *under,
                 *standing, *self._hints(), *map(self._stroke, self._far_to_near(over)),
                 *self._words(pieces, drops)]
 
     def _of(self, shapes: Sequence[str]) -> list[Item]:
         return [item for item in self.items if item.shape in shapes]
 
-    def _room(self, item: Item, frames: np.ndarray | None = None) -> np.ndarray:
+    def _room(self, item: Item) -> np.ndarray:
         """Where an item's points are in the room."""
-        frames = self.frames if frames is None else frames
-        index = [int(point[0]) for point in item.points]
-        local = np.array([(*point[1:], 1.0) for point in item.points])
-        return np.einsum("kij,kj->ki", frames[index][:, :3], local)
+        return corners(item, self.scene.motions, self.frames, self.q)
 
-    def _extents(self, frames: np.ndarray) -> Extents:
-        """Balls that have to be seen: ends of solids, what is drawn beside the arm, and feet."""
-        floor = self.scene.floor
+    def _extents(self, q: Numbers) -> Extents:
+        """Balls that have to be seen.
+
+        Ends of solids, what is drawn beside the arm, feet, and points that the scene names.
+        """
+        floor, frames = self.scene.floor, self.scene.frames(q)
         balls: list[tuple[Numbers, float]] = []
         for item in self.scene.items:
             if item.shape in SOLIDS:
-                ends = self._room(item, frames)
+                ends = corners(item, self.scene.motions, frames, q)
                 radii = item.size if item.shape != BOX else (
                     float(np.linalg.norm(ends[2] - ends[0])),) * 2
                 balls += zip(ends, radii)
             elif item.shape in _STROKES and not item.paper and item.layer not in _UNFRAMED:
-                balls += ((point, 0.0) for point in self._room(item, frames))
+                balls += ((point, 0.0) for point in corners(item, self.scene.motions, frames, q))
         for k in floor.drops if floor else ():
             assert floor
             x, y, z = frames[k][:3, 3]
             balls += [((x, y, z), 0.0), ((x, y, floor.height), 0.0)]
+        for k, *local in self.scene.fit.points if self.scene.fit else ():
+            balls.append(((frames[k] @ (*local, 1.0))[:3], 0.0))
         return balls
 
     # ---- solids, axes, drop lines ----
@@ -289,9 +299,22 @@ class _Still:
     def _stroke(self, item: Item) -> Drawn:
         seen = self.paper if item.paper else self.lens
         points = seen.see(self._room(item))[:, :2]
-        closed = item.shape in (ARROW, FACE, HULL)
-        return Drawn(item.gid, [Mark(outline(item.shape, points), PAINTS[item.style], closed)],
-                     item)
+        closed = item.shape in _CLOSED
+        paint = PAINTS[item.style].copy()
+        if not closed:
+            paint.pop("fill", None)
+        return Drawn(item.gid, [Mark(outline(item.shape, points), paint, closed)], item)
+
+    def _dots(self, item: Item) -> Drawn:
+        """A cloud, each dot a stroke too short to see: Agg draws none without length."""
+        plane = self.frames[int(item.size[0])] if SLICE in self.show else None
+        dots = unpacked(item.points[0], item.text, item.size[1])
+        marks = []
+        for layer, fade in zip(layers(dots, plane, self.lens.near, np.array(self.scene.center),
+                                      self.scene.radius), FADES):
+            ends = self.lens.see(layer)[:, None, :2] + np.array([[0, 0], [0.02, 0.02]])
+            marks.append(Mark(list(ends), PAINTS[item.style], opacity=fade))
+        return Drawn(item.gid, marks, item)
 
     def _far_to_near(self, items: list[Item]) -> list[Item]:
         """Whole bodies from far to near."""

@@ -12,6 +12,7 @@ from pathlib import Path
 import numpy as np
 from camera_fixtures import framings, orders
 from ground_fixtures import floor, labels
+from study_fixtures import charts, cloud, curves
 
 import kinlab as kl
 from kinlab.arms.motions import ROTATE, TRANSLATE
@@ -193,7 +194,8 @@ def _plain(face: Face) -> dict:
 
 
 FIXTURES = {"frames": frames, "numbers": numbers, "solids": solids, "labels": labels,
-            "floor": floor, "camera": framings, "order": orders}
+            "floor": floor, "camera": framings, "order": orders, "chart": charts,
+            "curves": curves, "cloud": cloud}
 
 
 def path(name: str) -> Path:
