@@ -1,25 +1,25 @@
 """One solve of inverse kinematics, step by step, two methods side by side."""
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import Protocol
 
 import numpy as np
 
 from ..arms.arm import Arm
-from ..arms.kinematics import forward_kinematics
+from ..arms.kinematics import forward_kinematics, link_frames, typical_length
 from ..arms.motions import TRANSLATE
 from .arm_scene import arm_scene, is_planar
-from .controls import Knob, superscript
-from .readings import Entry, Point
-from .scene import LINE, TEXT, Scene, Step, at, circle
+from .chart import Chart, Curve
+from .controls import Knob
+from .readings import Entry
+from .scene import LINE, TEXT, WAY, Fit, Scene, Step, at, circle
 from .sketch import Sketch
 
-SIZE, HEART = (940.0, 570.0), (470.0, 208.0)   # px: the picture, and the middle of the arms
-_LEFT, _RIGHT, _TOP, _BOTTOM = 70.0, 915.0, 436.0, 540.0  # px: the error curve
-_HIGH, _LOW = 1, -9  # decades of the error that the curve shows
-_STYLES = ("first", "second")
+SIZE = (940.0, 460.0)  # px
+_STYLES, _MARKERS = ("first", "second"), ("dot", "square")
+_GAP, _EDGE = 0.35, 0.12  # of the reach: between the arms, and round them
 
 
 class Tried(Protocol):
@@ -36,104 +36,102 @@ class Tried(Protocol):
 
 
 def solve_scene(arm: Arm, goal: np.ndarray, trails: Mapping[str, Sequence[Tried]]) -> Scene:
-    """The arm twice, on its way to a point by two methods, and the error of each step."""
+    """The arm twice, on its way to a point by two methods, and the error of each step.
+
+    Errors, which a solve keeps as parts of the reach, are shown in the arm's unit.
+    """
     last = max(map(len, trails.values())) - 1
     sketch = _Solves(arm, goal)
     sketch.name = f"{sketch.name}: {' and '.join(trails)}"
     for k, (method, trail) in enumerate(trails.items()):
         sketch.stand(k, method, trail)
-    sketch.chart(trails, max(last, 1))
     sketch.knob(Knob("step", "step", 0.0, float(max(last, 1)), title="step of the solve",
                      whole=True))
     sketch.poses = [[float(k)] for k in range(last + 1)]
-    return sketch.scene()
+    return sketch.framed()
 
 
 class _Solves(Sketch):
-    """Two arms in one room, a curve on paper under them."""
+    """Two arms in one room, and a chart."""
 
     def __init__(self, arm: Arm, goal: np.ndarray) -> None:
         self.arm, self.drawing, self.goal = arm, arm_scene(arm), goal
-        reach = self.drawing.radius
-        self.px = reach / (HEART[1] - 6)   # length units to a pixel
-        super().__init__(arm.name or "Arm", (min(SIZE) / 2 - 10) * self.px, planar=is_planar(arm),
-                         grid=False)
-        self.size, self.place, self.aside = SIZE, HEART, 1.06 * reach
+        self.reach = typical_length(arm)
+        super().__init__(arm.name or "Arm", planar=is_planar(arm), unit=arm.unit, grid=False)
+        self.size = SIZE
         self.presets.pop("side", None)     # there one arm hides the other
+        self.curves: list[Curve] = []
+        self.boxes: list[np.ndarray] = []  # lowest and highest corner of what each arm needs
 
     def stand(self, k: int, method: str, trail: Sequence[Tried]) -> None:
         """One arm on its side of the room, moving along its trail, with the tool's path."""
-        root = self._root((2 * k - 1) * self.aside)
-        tracks = np.array([step.q for step in trail]).T.tolist()
+        joints = np.array([step.q for step in trail])
+        root = self._root(k, joints)
+        tracks = joints.T.tolist()
         for step in self.drawing.motions:
             if isinstance(step, Step) and step.joint is not None:
                 step = replace(step, joint=0, track=tuple(
                     step.amount + step.gain * value for value in tracks[step.joint]))
             self.steps.append(step)
         self.lay((item for item in self.drawing.items if not item.layer), root, f"{method}-")
-        places = forward_kinematics(self.arm, np.array(tracks).T)[:, :3, 3]
-        self.add(f"{method}-path", LINE, "trace", at(root, *places), lift=2 * self.radius)
-        ring = self.goal + 0.05 * self.drawing.radius * circle(25)
-        self.add(f"{method}-target", LINE, "target", at(root, *ring), lift=3 * self.radius)
-        self._word(method, (HEART[0] + (2 * k - 1) * 0.25 * SIZE[0], 14.0), _STYLES[k])
+        self._way(method, root, forward_kinematics(self.arm, joints)[:, :3, 3])
+        self._target(method, root)
+        self._name(k, method)
+        self._errors(k, method, trail)
 
-    def chart(self, trails: Mapping[str, Sequence[Tried]], last: int) -> None:
-        """The errors in powers of ten, a dot on each curve at the step shown."""
-        self._grid(last)
-        for (method, trail), style in zip(trails.items(), _STYLES):
-            heights = [_decade(step.error) for step in trail]
-            curve = [self._place(j / last, height) for j, height in enumerate(heights)]
-            self._draw(f"{method}-curve", style, at(0, *curve))
-            short = 1e-3 * self.radius
-            self._draw(f"{method}-dot", f"{style}-dot",
-                       at(self._dot(curve, last), (0, 0, 0), (short, short, 0)), self.radius)
-            self.reading(method, f"{method}: error {{}}, condition number {{}}",
-                         Entry(0, tuple(f"{step.error:.3g}" for step in trail)),
-                         Entry(0, tuple("∞" if np.isinf(step.condition) else
-                                        f"{step.condition:.3g}" for step in trail)))
+    def framed(self) -> Scene:
+        """The scene, in a frame that holds both arms at every step."""
+        low, high = np.min(self.boxes, axis=(0, 1)), np.max(self.boxes, axis=(0, 1))
+        corners = np.array([[(low, high)[k >> axis & 1][axis] for axis in range(3)]
+                            for k in range(8)])
+        middle, radius = (low + high) / 2, float(np.sort(high - low)[1]) / 2
+        self.center, self.radius = (*middle.tolist(),), radius
+        thick = self.drawing.fit.thick if self.drawing.fit else 0.0
+        fit = Fit((*middle.tolist(),), radius, thick, at(0, *corners))
+        return replace(self.scene(), fit=fit,
+                       chart=Chart(tuple(self.curves), "step", f"error ({self.unit})"))
 
-    def _root(self, aside: float) -> int:
-        """A frame at the foot of one arm, so that the middle of its reach is in its place."""
-        shift = np.array([aside, 0, 0]) - self.drawing.center
-        for axis, way in enumerate(shift.tolist()):
-            self.move(TRANSLATE, axis, way, parent=None if axis else 0)
-        return len(self.steps)
+    def _root(self, k: int, joints: np.ndarray) -> int:
+        """A frame at the foot of one arm: the first one ends where the second begins."""
+        box, gap = self._box(joints), _GAP * self.reach
+        aside = -box[1, 0] - gap / 2 if k == 0 else gap / 2 - box[0, 0]
+        self.boxes.append(box + [aside, 0, 0])
+        return self.move(TRANSLATE, 0, float(aside), parent=0)
 
-    def _dot(self, curve: Sequence[tuple[float, float, float]], last: int) -> int:
-        """A frame that runs along a curve with the step."""
-        ends = [*curve, *[curve[-1]] * (last + 1 - len(curve))]
-        for axis, track in enumerate(np.array(ends).T[:2].tolist()):
-            self.move(TRANSLATE, axis, knob=0, parent=None if axis else 0, track=tuple(track))
-        return len(self.steps)
+    def _box(self, joints: np.ndarray) -> np.ndarray:
+        """Lowest and highest corner of what an arm needs at all its steps, and of the goal."""
+        places = np.concatenate([link_frames(self.arm, joints)[..., :3, 3].reshape(-1, 3),
+                                 forward_kinematics(self.arm, joints)[:, :3, 3], [self.goal]])
+        edge = _EDGE * self.reach
+        return np.array([places.min(axis=0) - edge, places.max(axis=0) + edge])
 
-    def _grid(self, last: int) -> None:
-        for height in range(_LOW, _HIGH + 1, 2):
-            ends = [self._place(share, height) for share in (0, 1)]
-            self.add(f"decade{height}", LINE, "ground", at(0, *ends), body=-1, paper=True)
-            self._word(f"10{superscript(height)}", (_LEFT - 26, _down(height)), "ink")
-        for step in range(0, last + 1, max(1, round(last / 10))):
-            self._word(str(step), (_LEFT + step / last * (_RIGHT - _LEFT), _BOTTOM + 18), "ink")
-        self._word("error at each step", (_LEFT + 50, _TOP - 14), "ink")
+    def _way(self, method: str, root: int, places: np.ndarray) -> None:
+        """The tool's way: faint as a whole, strong up to the step."""
+        ends = at(root, *places)
+        self.add(f"{method}-rest", LINE, "faint", ends, body=-1, part="trace")
+        self.add(f"{method}-path", WAY, "trace", ends, lift=2 * self.reach, size=(0,),
+                 part="trace")
 
-    def _place(self, share: float, height: float) -> tuple[float, float, float]:
-        """A point of the curve as paper has it: share of the width, decade of the error."""
-        return self._paper(_LEFT + share * (_RIGHT - _LEFT), _down(height))
+    def _target(self, method: str, root: int) -> None:
+        body = self.body()
+        for k in range(1 if self.planar else 3):
+            ring = self.goal + np.roll(0.05 * self.reach * circle(25), k, axis=1)
+            self.add(f"{method}-target-{k}", LINE, "target", at(root, *ring),
+                     lift=3 * self.reach, body=body, part="target")
 
-    def _paper(self, x: float, y: float) -> tuple[float, float, float]:
-        return (self.px * (x - HEART[0]), self.px * (HEART[1] - y), 0.0)
+    def _name(self, k: int, method: str) -> None:
+        """The name of the method, over its arm."""
+        low, high = self.boxes[k]
+        top = [(low[0] + high[0]) / 2, high[1], high[2]]
+        self.boxes[k][1, 1 if self.planar else 2] += 0.5 * _EDGE * self.reach
+        self.add(f"{method}-name", TEXT, _STYLES[k], at(0, top), method, lift=4 * self.reach,
+                 part="label")
 
-    def _word(self, text: str, place: tuple[float, float], style: str) -> None:
-        self.add(f"word-{len(self.items)}", TEXT, style, at(0, self._paper(*place)), text,
-                 paper=True)
-
-    def _draw(self, gid: str, style: str, points: Iterable[Point], lift: float = 0.0) -> None:
-        self.add(gid, LINE, style, points, lift=lift, paper=True)
-
-
-def _down(height: float) -> float:
-    """How far down the picture a decade of the error lies (px)."""
-    return _TOP + (_HIGH - height) / (_HIGH - _LOW) * (_BOTTOM - _TOP)
-
-
-def _decade(error: float) -> float:
-    return float(np.clip(np.log10(max(error, 1e-300)), _LOW, _HIGH))
+    def _errors(self, k: int, method: str, trail: Sequence[Tried]) -> None:
+        """The curve of the errors, and what is said of them at each step."""
+        errors = [self.reach * step.error for step in trail]
+        self.curves.append(Curve(method, _STYLES[k], _MARKERS[k], tuple(errors)))
+        self.reading(method, f"{method}: error {{}} {self.unit}, condition number {{}}",
+                     Entry(0, tuple(f"{error:.3g}" for error in errors)),
+                     Entry(0, tuple("∞" if np.isinf(step.condition) else f"{step.condition:.3g}"
+                                    for step in trail)))

@@ -37,21 +37,21 @@ def velocity_scene(arm: Arm, q: Numbers) -> Scene:
 def _ellipse(sketch: Sketch, rates: tuple[float, ...]) -> None:
     """The image of a circle, or of points all over a sphere, under everything."""
     sketch.steps.append(Velocity(sketch.tip, rates))
-    points = circle(61)[:-1] if sketch.planar else _sphere(300)
+    points = circle(61)[:-1] if sketch.planar else _sphere(160)
     sketch.add("ellipse", HULL, "ellipse", at(len(sketch.steps), *points), body=-1,
-               layer="ellipse")
+               layer="ellipse", part="ellipse")
 
 
 def _column(sketch: Sketch, i: int, rates: tuple[float, ...]) -> None:
     """An arrow with its name, nearer than the arm."""
     sketch.steps.append(Velocity(sketch.tip, rates, i))
     frame, body, radius = len(sketch.steps), sketch.body(), sketch.radius
-    name = (frame, 0.045 * radius, 0.045 * radius, 0.0)
     sketch.add(f"column-{i + 1}", ARROW, "vector",
                (origin_of(sketch.tip), origin_of(frame)), lift=2 * radius, body=body,
-               layer="columns")
-    sketch.add(f"column-name-{i + 1}", TEXT, "ink", (name,), f"J{subscript(i + 1)}",
-               lift=4 * radius, body=body, layer="columns")
+               layer="columns", part="column", joint=i + 1)
+    sketch.add(f"column-name-{i + 1}", TEXT, "ink", (origin_of(frame),),
+               f"J{subscript(i + 1)}", lift=4 * radius, body=body, layer="columns", part="label",
+               joint=i + 1)
 
 
 def _column_reading(sketch: Sketch, i: int, turns: bool, rate: float) -> None:

@@ -11,9 +11,10 @@ from ..answers.conditions import degrees_slip, meet, one_of_many, one_pose, with
 from ..answers.judges import Judge, function
 from ..arms import inputs, kinematics, robots
 from ..arms.joints import joint_range
+from .views.reach import reach_view
 from .views.workspace import L1, L2, limits_view, ring_view
 
-__all__ = ["limits_view", "ring_view"]
+__all__ = ["limits_view", "reach_view", "ring_view"]
 
 # ---- Exercise 1: the ring of two lengths ----------------------------------------------
 

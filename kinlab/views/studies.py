@@ -112,8 +112,10 @@ def solve_view(arm: Arm, target: Any, q0: Any = None, *, weights: Any = None,
                limits: str = "keep") -> LiveView:
     """Two methods on the way from one start to one target: scrub through their steps.
 
-    Above stand the arms at the step, with the path of the tool so far and to come; below, the
-    error of each step in powers of ten. Each method begins at `q0` and is not started again.
+    The picture shows the arms at the step, with the way of the tool so far, and faintly the rest;
+    the chart beside it the error of each step, in powers of ten. Errors are in the arm's unit; for
+    a whole pose a turn counts as the way that it makes at the arm's reach. Each method begins at
+    `q0` and is not started again.
 
     Parameters
     ----------
@@ -146,7 +148,7 @@ def solve_view(arm: Arm, target: Any, q0: Any = None, *, weights: Any = None,
     >>> view = solve_view(robots.two_link(), [0.5, 1, 0], q0=[0.2, 0.4])
     >>> view["step"].value = 3
     >>> [reading[0] for reading in view.readings.values()]
-    ['0.0765', '0.000351']
+    ['0.153', '0.000701']
     """
     check_arm(arm)
     methods = _two(methods)

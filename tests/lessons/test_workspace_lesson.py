@@ -6,6 +6,7 @@ import pytest
 from test_two_link import places
 
 import kinlab as kl
+from kinlab.drawing.curves import corners
 from kinlab.lessons import workspace as lesson
 
 close = np.testing.assert_allclose
@@ -27,7 +28,7 @@ def set_to(view, **values):
 def test_the_circles_are_those_of_the_stretched_and_the_folded_arm(l1, l2):
     view = set_to(lesson.ring_view(), l_1=l1, l_2=l2, theta_1=50, theta_2=-70)
     for name, radius in (("stretched", l1 + l2), ("folded", abs(l1 - l2))):
-        circle = places(view, name)
+        circle = curve(view, name)
         close(np.linalg.norm(circle, axis=1), radius, atol=1e-12)
         close(circle[0], circle[-1], atol=1e-12)
     close(view.readings["stretched"][0], [l1 + l2])
@@ -48,24 +49,79 @@ def limited(low_1, high_1, low_2, high_2):
     return set_to(lesson.limits_view(), from_1=low_1, to_1=high_1, from_2=low_2, to_2=high_2)
 
 
+def curve(view, gid):
+    """The corners of a curve, in the room's plane."""
+    scene = view._scene
+    (item,) = (item for item in scene.items if item.gid == gid)
+    return corners(item, scene.motions, scene.frames(view._values), view._values)[:, :2]
+
+
+def along(drawn, place, low, high):
+    """That a curve is an arm's way from one joint value to the other."""
+    close(drawn, place(np.linspace(low, high, len(drawn))), atol=1e-12)
+    assert len(drawn) == 1 + max(1, np.ceil(round((high - low) / np.radians(3), 6)))
+
+
 @pytest.mark.parametrize("ends", LIMITS)
 def test_the_edges_are_the_sides_of_the_rectangle(ends):
     view = limited(*ends)
     low_1, high_1, low_2, high_2 = np.radians(ends)
-    turns, bends = np.linspace(low_1, high_1, 41), np.linspace(low_2, high_2, 29)
-    close(places(view, "bend-0"), tip(turns, low_2), atol=1e-12)
-    close(places(view, "bend-8"), tip(turns, high_2), atol=1e-12)
-    close(places(view, "turn-0"), tip(low_1, bends), atol=1e-12)
-    close(places(view, "turn-8"), tip(high_1, bends), atol=1e-12)
-    close(places(view, "bend-4"), tip(turns, (low_2 + high_2) / 2), atol=1e-12)
+    for k, bend in ((0, low_2), (4, (low_2 + high_2) / 2), (8, high_2)):
+        along(curve(view, f"bend-{k}"), lambda turn, bend=bend: tip(turn, bend), low_1, high_1)
+    for k, turn in ((0, low_1), (4, (low_1 + high_1) / 2), (8, high_1)):
+        along(curve(view, f"turn-{k}"), lambda bend, turn=turn: tip(turn, bend), low_2, high_2)
 
 
 @pytest.mark.parametrize("ends", LIMITS)
 def test_the_straightest_arm_is_the_farthest(ends):
-    line = places(limited(*ends), "straightest")
+    line = curve(limited(*ends), "straightest")
     bends = np.radians(np.linspace(*ends[2:], 3001))
     farthest = np.linalg.norm(tip(0, bends), axis=1).max()
     close(np.linalg.norm(line, axis=1), farthest, atol=1e-6)
+
+
+@pytest.mark.parametrize("ends", LIMITS)
+def test_the_region_is_all_that_is_reached_and_no_more(ends):
+    """Tools at random joint values lie in it; so many random points as lie in it are reached."""
+    view, rng = limited(*ends), np.random.default_rng(1)
+    outlines = [curve(view, f"region-{k}") for k in (0, 1)]
+    low, high = np.radians(ends[::2]), np.radians(ends[1::2])
+    inner = low + rng.uniform(0.02, 0.98, (400, 2)) * (high - low)
+    inner = inner[np.abs(np.sin(inner[:, 1])) > 0.12]  # not on the very edge
+    assert _within(outlines, tip(*inner.T)).all()
+    points = rng.uniform(-1.65, 1.65, (1500, 2))
+    for place, held in zip(points, _within(outlines, points)):
+        assert held == _reached(place, low, high) or _is_near(place, view)
+
+
+def _within(outlines, points):
+    """Where a line that may run round twice goes round a point."""
+    return np.any([[abs(_rounds(loop, point)) > 0.5 for point in points]
+                   for loop in outlines], axis=0)
+
+
+def _rounds(loop, point):
+    way = (loop - point) @ [1, 1j]
+    return np.angle(np.roll(way, -1) / way).sum() / (2 * pi)
+
+
+def _reached(place, low, high):
+    """By the law of cosines, elbow to one side or to the other."""
+    r, angle = np.hypot(*place), np.arctan2(*place[::-1])
+    cosine = (r * r - 1.36) / 1.2
+    if abs(cosine) > 1:
+        return False
+    for bend in (np.arccos(cosine), -np.arccos(cosine)):
+        turn = angle - np.arctan2(0.6 * np.sin(bend), 1 + 0.6 * np.cos(bend))
+        if low[1] <= bend <= high[1] and (turn - low[0]) % (2 * pi) <= high[0] - low[0]:
+            return True
+    return False
+
+
+def _is_near(place, view):
+    """Within what an arc's corners leave of it."""
+    names = ("bend-0", "bend-8", "turn-0", "turn-8", "straightest")
+    return min(np.linalg.norm(curve(view, name) - place, axis=1).min() for name in names) < 0.06
 
 
 @pytest.mark.parametrize("ends", LIMITS)

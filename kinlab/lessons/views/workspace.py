@@ -1,7 +1,6 @@
 """Views of lesson 09: the ring that two links reach, and what joint limits leave of it."""
 from __future__ import annotations
 
-from collections.abc import Iterable
 from dataclasses import replace
 from math import pi, radians
 
@@ -9,15 +8,13 @@ import numpy as np
 
 from ...arms.motions import ROTATE, TRANSLATE, X, Z
 from ...drawing.controls import Knob, Switch, subscript
-from ...drawing.readings import Point
-from ...drawing.scene import at, origin_of
+from ...drawing.scene import PATCH, SWEEP, at, origin_of
 from ...drawing.sketch import Sketch
 from ...views.live import LiveView
 
 L1, L2 = 1.0, 0.6  # m, the arm of the lesson
 _THICK = 0.06      # m, radius of its joints
-# Curves, and the points of a curve about O and about P: as many as make it look round.
-_LINES, _WIDE, _SMALL = (np.linspace(0, 1, count) for count in (9, 41, 29))
+_LINES = np.linspace(0, 1, 9)  # of the mesh, as shares of a joint's range
 _TRACE = Switch("trace", "Trace", "Path of the tool")
 
 
@@ -27,8 +24,7 @@ def ring_view() -> LiveView:
     t1, t2 = sketch.theta(1, 35), sketch.theta(2, 60)
     l1, l2 = (sketch.knob(Knob.length(f"l_{k}", f"l{subscript(k)}", 0.2, 1.05, home, "m"))
               for k, home in ((1, L1), (2, L2)))
-    for name, gain, style in (("stretched", 1, "first"), ("folded", -1, "second")):
-        _circle(sketch, name, l1, l2, gain, style)
+    _ring(sketch, l1, l2)
     first = sketch.move(ROTATE, Z, 0, t1, 0)
     straight = sketch.move(TRANSLATE, X, 0, l1)
     elbow = sketch.move(ROTATE, Z, 0, t2)
@@ -64,8 +60,8 @@ def limits_view(theta_1: tuple[float, float] = (-20, 130),
     sweeps = [sketch.knob(Knob(f"s_{k}", f"s{subscript(k)}", 0, 1, home, "%", 0.01, 1.0,
                                f"how far joint {k} is from its lowest to its highest value"))
               for k, home in ((1, 0.5), (2, 0.4))]
-    _mesh(sketch, *limits)
-    _edges(sketch, *limits)
+    for part in (_region, _mesh, _names):
+        part(sketch, *limits)
     first = _swept(sketch, 0, limits[0], sweeps[0])
     straight = sketch.move(TRANSLATE, X, L1)
     elbow = _swept(sketch, straight, limits[1], sweeps[1])
@@ -103,14 +99,18 @@ def _with_trace(sketch: Sketch, poses: list) -> LiveView:
 # ---- The ring -----------------------------------------------------------------------------
 
 
-def _circle(sketch: Sketch, name: str, l1: int, l2: int, gain: int, style: str) -> None:
-    """Where the tool goes when the straight, or the folded, arm turns once."""
-    ends = []
-    for angle in np.linspace(0, 2 * pi, 73):
-        sketch.move(ROTATE, Z, angle, None, 0)
-        sketch.move(TRANSLATE, X, 0, l1)
-        ends.append(sketch.move(TRANSLATE, X, 0, l2, gain=gain))
-    sketch.line(name, map(origin_of, ends), style)
+def _ring(sketch: Sketch, l1: int, l2: int) -> None:
+    """All that the tool reaches, and its edges: the straight and the folded arm turn once."""
+    first, last = (sketch.move(ROTATE, Z, angle, None, 0) for angle in (0.0, 2 * pi))
+    elbow = sketch.move(TRANSLATE, X, 0, l1, first)
+    folded = sketch.move(TRANSLATE, X, 0, l2, gain=-1)
+    half = sketch.move(ROTATE, Z, pi, None, elbow)
+    straight = sketch.move(ROTATE, Z, 0, None, elbow)
+    stretched = sketch.move(TRANSLATE, X, 0, l2)
+    sketch.add("region", PATCH, "region", (origin_of(stretched),), body=-1, part="region",
+               size=(first, last, straight, half))
+    for name, frame, style in (("stretched", stretched, "first"), ("folded", folded, "second")):
+        sketch.add(name, SWEEP, style, (origin_of(frame),), size=(first, last), part="edge")
 
 
 def _circle_names(sketch: Sketch, l1: int, l2: int) -> None:
@@ -156,39 +156,52 @@ def _swept(sketch: Sketch, before: int, limits: tuple[int, int], sweep: int) -> 
     return sketch.move(ROTATE, Z, 0, limits[1], frame, scrub=(sweep, 0))
 
 
-def _curve(sketch: Sketch, name: str, shoulders: Iterable[int], bend: Iterable[float],
-           limits: tuple[int, int], style: str) -> list[Point]:
-    """The tool's places for pairs of a turned shoulder and a share of the elbow's range."""
-    ends = [at(_share(sketch, frame, limits, share), (L2, 0, 0))[0]
-            for frame, share in zip(shoulders, bend)]
-    sketch.line(name, ends, style)
-    return ends
+def _ends(sketch: Sketch, before: int, limits: tuple[int, int]) -> tuple[int, int]:
+    """Two turns that begin at one frame: to the lowest value, and to the highest."""
+    low, high = (sketch.move(ROTATE, Z, 0, limit, before) for limit in limits)
+    return low, high
+
+
+def _region(sketch: Sketch, first: tuple[int, int], second: tuple[int, int]) -> None:
+    """All that the tool reaches, the elbow bent one way or the other; the straightest arm.
+
+    Where both ways lead, the two halves lie over each other.
+    """
+    turns = _ends(sketch, 0, first)
+    elbow = sketch.move(TRANSLATE, X, L1, None, turns[0])
+    low, high = _ends(sketch, elbow, second)
+    straight = sketch.move(ROTATE, Z, 0, second[0], elbow, start=0.0)  # or the lowest if above
+    for k, bend in enumerate(((low, straight), (straight, high))):
+        sketch.add(f"region-{k}", PATCH, "region", at(bend[0], (L2, 0, 0)), body=-1,
+                   part="region", size=(*turns, *bend))
+    sketch.add("straightest", SWEEP, "first", at(straight, (L2, 0, 0)), size=turns, part="edge")
 
 
 def _mesh(sketch: Sketch, first: tuple[int, int], second: tuple[int, int]) -> None:
     """Curves of constant joint values; those at the limits are the coloured edges."""
-    along, across = (_shoulders(sketch, first, shares) for shares in (_WIDE, _LINES))
-    inner = ["mesh"] * (len(_LINES) - 2)
-    for k, (share, style) in enumerate(zip(_LINES, ["limit", *inner, "limit"])):
-        _curve(sketch, f"bend-{k}", along, [share] * len(along), second, style)
-    for k, (frame, style) in enumerate(zip(across, ["angle", *inner, "angle"])):
-        _curve(sketch, f"turn-{k}", [frame] * len(_SMALL), _SMALL, second, style)
+    turns = _ends(sketch, 0, first)
+    elbow = sketch.move(TRANSLATE, X, L1, None, turns[0])
+    for k, share in enumerate(_LINES):
+        edge = share in (0, 1)
+        bent = _share(sketch, elbow, second, share)
+        sketch.add(f"bend-{k}", SWEEP, "limit" if edge else "mesh", at(bent, (L2, 0, 0)),
+                   size=turns, part="edge" if edge else "mesh", joint=2)
+        bends = _ends(sketch, _shoulder(sketch, first, share), second)
+        sketch.add(f"turn-{k}", SWEEP, "angle" if edge else "mesh", at(bends[0], (L2, 0, 0)),
+                   size=bends, part="edge" if edge else "mesh", joint=1)
 
 
-def _shoulders(sketch: Sketch, limits: tuple[int, int], shares: Iterable[float]) -> list[int]:
-    """Frames at the elbow, for shares of joint 1's range."""
-    return [sketch.move(TRANSLATE, X, L1, None, _share(sketch, 0, limits, share))
-            for share in shares]
+def _shoulder(sketch: Sketch, limits: tuple[int, int], share: float) -> int:
+    """A frame at the elbow, for a share of joint 1's range."""
+    return sketch.move(TRANSLATE, X, L1, None, _share(sketch, 0, limits, share))
 
 
-def _edges(sketch: Sketch, first: tuple[int, int], second: tuple[int, int]) -> None:
-    """The curve of the straightest arm, and the names of all five."""
-    bent = [sketch.move(ROTATE, Z, 0, second[0], frame, start=0.0)  # 0, or the lowest if above
-            for frame in _shoulders(sketch, first, _WIDE)]
-    sketch.line("straightest", (at(frame, (L2, 0, 0))[0] for frame in bent), "first")
-    sketch.label("straightest", at(bent[round(0.6 * len(bent))], (L2, 0, 0), (0, 0, 0)), "first")
+def _names(sketch: Sketch, first: tuple[int, int], second: tuple[int, int]) -> None:
+    """The names of the five edges, beside them."""
+    bent = sketch.move(ROTATE, Z, 0, second[0], _shoulder(sketch, first, 0.6), start=0.0)
+    sketch.label("straightest", at(bent, (L2, 0, 0), (0, 0, 0)), "first")
     for k, word in enumerate(("from", "to")):
-        elbow, other = _shoulders(sketch, first, (k, 0.25 + 0.5 * k))
+        elbow, other = (_shoulder(sketch, first, share) for share in (k, 0.25 + 0.5 * k))
         for text, frame, share, side in ((f"θ₁ {word}", elbow, 0.7 - 0.2 * k, -1),
                                          (f"θ₂ {word}", other, k, 1)):
             edge = _share(sketch, frame, second, share)
