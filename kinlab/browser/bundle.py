@@ -1,9 +1,8 @@
 """The JavaScript's modules joined into one text, for a widget and for a page of its own.
 
 anywidget takes one module, and browsers load no modules from a disk. So the modules that an entry
-imports are put before it, each after those it needs itself; all then share one scope. What is
-for whoever reads or checks the source stays behind: comments on lines of their own, and the
-spaces before a line. So no text in backquotes may run over lines.
+imports are put before it, each after those it needs itself; all then share one scope. Comments
+and spaces, which are for whoever reads the source, stay behind.
 """
 from __future__ import annotations
 
@@ -11,11 +10,12 @@ import re
 from collections import Counter
 from pathlib import Path
 
+from rjsmin import jsmin
+
 HERE = Path(__file__).parent
 _DARK = re.compile(r"\[data-jp-theme-light=\"false\"] (:is\(.*?\n\})", re.DOTALL)
 _IMPORT = re.compile(r'^import \{([^}]*)\} from "\./([\w.]+)";\n', re.MULTILINE)
 _EXPORT = re.compile(r"^export (?!default\b)", re.MULTILINE)
-_DOCS = re.compile(r"^ */\*\*.*?\*/\n|^ *//[^\n]*\n|^\n|^ +", re.MULTILINE | re.DOTALL)
 # The names that a line at the margin defines: "const A = 1, B = 2;" defines two.
 _NAMES = re.compile(r"^(export )?(?:(?:async )?function\*?|class|const|let) "
                     r"((?:\w+ = [^,;({[]+, )*\w+)", re.MULTILINE)
@@ -26,14 +26,13 @@ def module(entry: str, folder: Path = HERE) -> str:
 
     Raises ValueError, in one sentence, where the modules cannot stand in one scope.
     """
-    *needed, last = _in_order(entry, folder)
-    return "".join([_EXPORT.sub("", text) for text in needed] + [last])
+    return f"{jsmin(_joined(entry, folder))}\n"
 
 
 def script(entry: str, folder: Path = HERE) -> str:
     """One classic script that leaves no names behind and may stand inside a page."""
-    plain = _EXPORT.sub("", module(entry, folder))
-    return f"(() => {{\n{plain}}})();\n".replace("</script", r"<\/script")
+    plain = jsmin(_EXPORT.sub("", _joined(entry, folder)))
+    return f"(() => {{{plain}}})();\n".replace("</script", r"<\/script")
 
 
 def style(*names: str) -> str:
@@ -46,6 +45,11 @@ def page_style() -> str:
     sheets = style("live.css", "page.css")
     (inks,) = _DARK.findall(sheets)
     return f"{sheets}\n@media screen and (prefers-color-scheme: dark) {{\n{inks}\n}}\n"
+
+
+def _joined(entry: str, folder: Path) -> str:
+    *needed, last = _in_order(entry, folder)
+    return "".join([_EXPORT.sub("", text) for text in needed] + [last])
 
 
 def _in_order(entry: str, folder: Path) -> list[str]:
@@ -69,7 +73,7 @@ def _in_order(entry: str, folder: Path) -> list[str]:
 
     add(entry, ())
     _check(texts)
-    return [_DOCS.sub("", _IMPORT.sub("", text)) for text in texts.values()]
+    return [_IMPORT.sub("", text) for text in texts.values()]
 
 
 def _names(text: str, *, exported: bool = False) -> list[str]:

@@ -58,6 +58,6 @@ def assert_both_hands_agree(page, scene, q, preset, show):
 
 def assert_same_outline(one, other, gid):
     """Point for point, or, for outlines of solids, equally far in every direction."""
-    if len(one) != len(other) or len(one) > 4 and not np.allclose(one, other, atol=PATHS_PX):
+    if len(one) != len(other) or (len(one) > 4 and not np.allclose(one, other, atol=PATHS_PX)):
         one, other = ((points @ _RAYS).max(axis=0) for points in (one, other))
     np.testing.assert_allclose(one, other, atol=PATHS_PX, err_msg=gid)
