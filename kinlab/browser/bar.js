@@ -29,7 +29,7 @@ const capital = (name) => name[0].toUpperCase() + name.slice(1);
  * @param {Item[]} items
  */
 export const frameNames = (items) =>
-  [...new Set(items.flatMap(({ frame }) => frame || []))];
+  [...new Set(items.flatMap(({ part, frame }) => part === "frame" && frame || []))];
 
 /**
  * The x and z axes of the frames, by their names: "x₁" is [frame's number, direction there].
@@ -38,8 +38,8 @@ export const frameNames = (items) =>
  */
 export function sightlines(items) {
   const found = new Map();
-  for (const { frame, shape, points } of items) {
-    if (!frame || points.length < 2 || !["axis", "arrow"].includes(shape)) continue;
+  for (const { part, frame, points } of items) {
+    if (!frame || part !== "frame" || points.length !== 2) continue;
     const [[k, ...tail], [head, ...tip]] = points, way = tip.map((v, i) => v - tail[i]);
     const letter = ["x", "y", "z"].find((_, i) => way[i] > 0 && way.every((v, j) => i === j || !v));
     if (k === head && letter && letter !== "y") found.set(`${letter}${lowered(frame)}`, [k, way]);

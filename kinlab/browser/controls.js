@@ -6,6 +6,8 @@ import { KEYS, clip, snap, stepped } from "./steps.js";
 
 /** @import { Joints, Knob } from "./types.js" */
 
+const HANDLE = 22;                                  // px, as in live.css
+
 /**
  * Nobody but the element itself hears of its keys; a notebook has uses for them, too.
  * @param {HTMLElement} node
@@ -52,6 +54,13 @@ class Row {
     return { low: low / scale, high: high / scale, step };
   }
 
+  /** As far as it may go now: of two handles on a track neither passes the other. */
+  get reach() {
+    const { low, high, step } = this.units, all = this.all.ends(this.knob);
+    const at = all.indexOf(this), before = all[at - 1]?.value, after = all[at + 1]?.value;
+    return { low: Math.max(low, before ?? low), high: Math.min(high, after ?? high), step };
+  }
+
   /**
    * Stand for this knob from now on, the joint of this number; what is held or half typed stays.
    * @param {Knob} knob
@@ -62,7 +71,7 @@ class Row {
     this.node.setAttribute("data-joint", String(joint));
     this.label.className = knob.quantity ? `kl-of-${knob.quantity}` : "";
     const { label, title, unit } = knob, name = title ? `${label}, ${title}` : label;
-    const { low, high } = this.units;
+    const { low, high } = this.all.track(knob);
     this.label.textContent = label;
     this.unit.textContent = unit;
     this.range.min = String(tidy(low));
@@ -75,14 +84,17 @@ class Row {
 
   listen() {
     const { range, field } = this;
-    range.addEventListener("input", () => this.took(snap(range.valueAsNumber, this.units)));
+    range.addEventListener("input", () => {
+      this.took(snap(range.valueAsNumber, this.reach));
+      if (this.knob.pair) range.value = String(this.value);   // it stops where the other one is
+    });
     range.addEventListener("pointerdown", () => this.all.joints?.gripped?.add(this.knob.name));
     for (const end of ["pointerup", "pointercancel"]) {
       range.addEventListener(end, () => this.all.joints?.gripped?.delete(this.knob.name));
     }
     ownKeys(range, (event) => {
       if (!(event.key in KEYS)) return;
-      this.took(stepped(this.value, KEYS[event.key], event.shiftKey, this.units));
+      this.took(stepped(this.value, KEYS[event.key], event.shiftKey, this.reach));
       event.preventDefault();
     });
     field.addEventListener("focus", () => field.select());
@@ -122,15 +134,32 @@ class Row {
 
   /** Read what was typed; a field that is taken out of the page is not one that was left. */
   commit() {
-    const { field, units } = this, { unit } = this.knob;
+    const { field, reach } = this, { unit } = this.knob;
     if (this.gone) return;
     if (field.value === this.shown || !field.value.trim()) return this.restore();
     const typed = read(field.value, { angle: unit === "°", unit });
     if (typed.reason != null) return this.wrong(typed.reason);
     this.shown = field.value;
-    this.took(clip(typed.value, units.low, units.high));
+    this.took(clip(typed.value, reach.low, reach.high));
     this.restore();
   }
+}
+
+/**
+ * A track with two handles: two rows laid over each other. A press on the track brings the nearer
+ * handle there.
+ * @param {string} name
+ * @param {(share: number) => void} press hears how far along the track
+ */
+function trackOf(name, press) {
+  const node = make("div", { class: "kl-pair", role: "group", "aria-label": name });
+  const line = make("span", { class: "kl-track" });
+  line.addEventListener("pointerdown", ({ clientX }) => {
+    const { left, width } = line.getBoundingClientRect();
+    press(clip((clientX - left - HANDLE / 2) / (width - HANDLE), 0, 1));
+  });
+  node.append(make("span", {}, name), line);
+  return node;
 }
 
 /**
@@ -142,6 +171,9 @@ export class Controls {
 
   /** @type {Map<string, Row>} */
   rows = new Map();
+
+  /** @type {Map<string, HTMLElement>} */
+  tracks = new Map();
 
   /** @type {Knob[]} */
   knobs = [];
@@ -167,12 +199,58 @@ export class Controls {
       row.gone = true;
       row.node.remove();
     }
-    knobs.forEach((knob, i) => {
-      const row = this.row(knob), there = this.node.children[i];
-      row.take(knob, i + 1);
-      if (there !== row.node) this.node.insertBefore(row.node, there ?? null);
+    knobs.forEach((knob, i) => this.row(knob).take(knob, i + 1));
+    const places = [...new Set(knobs.map((knob) => this.place(knob)))];
+    places.forEach((node, i) => {
+      const there = this.node.children[i];
+      if (there !== node) this.node.insertBefore(node, there ?? null);
     });
+    for (const left of [...this.node.children].slice(places.length)) left.remove();
     this.update();
+  }
+
+  /**
+   * What stands in the page for a knob: its row, or the track that holds it and another.
+   * @param {Knob} knob
+   */
+  place(knob) {
+    const { node } = this.row(knob), { pair } = knob;
+    if (!pair) return node;
+    const track = this.tracks.get(pair) ?? trackOf(pair, (share) => this.press(knob, share));
+    this.tracks.set(pair, track);
+    if (node.parentElement !== track) track.append(node);
+    return track;
+  }
+
+  /**
+   * The rows on a knob's track, the lower end first.
+   * @param {Knob} knob
+   */
+  ends(knob) {
+    const all = knob.pair ? this.knobs.filter(({ pair }) => pair === knob.pair) : [knob];
+    return all.map((one) => this.row(one));
+  }
+
+  /**
+   * Where the track of a knob begins and ends, in the slider's unit.
+   * @param {Knob} knob
+   */
+  track(knob) {
+    const all = this.ends(knob).map(({ units }) => units);
+    return { low: Math.min(...all.map(({ low }) => low)),
+             high: Math.max(...all.map(({ high }) => high)) };
+  }
+
+  /**
+   * Bring the nearer handle to a place on the track.
+   * @param {Knob} knob one of its knobs
+   * @param {number} share
+   */
+  press(knob, share) {
+    const { low, high } = this.track(knob), value = low + share * (high - low);
+    const far = (/** @type {Row} */ row) => Math.abs(row.value - value);
+    const nearest = this.ends(knob).reduce((a, b) => far(b) < far(a) ? b : a);
+    nearest.took(snap(value, nearest.reach));
   }
 
   /** @param {Knob} knob */
@@ -182,6 +260,13 @@ export class Controls {
     this.joints?.read().forEach((value, i) => {
       this.row(this.knobs[i]).show(value / this.knobs[i].scale);
     });
+    for (const [pair, node] of this.tracks) {
+      const knob = this.knobs.find((one) => one.pair === pair);
+      if (!knob) continue;
+      const { low, high } = this.track(knob);
+      this.ends(knob).forEach(({ value }, k) =>
+        node.style.setProperty(`--end-${k}`, String((value - low) / (high - low))));
+    }
   }
 
   /**

@@ -163,7 +163,10 @@ class View {
     return {
       go: (q) => mover.start(drive, [q], MOVE),
       play: () => this.play(),
-      step: (by) => mover.start(this.led, [this.walk.next(this.joints.read(), by)], MOVE),
+      step: (by) => {                                // on from where the last one leads
+        const from = mover.request ? mover.goal : this.joints.read();
+        mover.start(this.led, [this.walk.next(from, by)], MOVE);
+      },
       look: (preset) => this.look(preset),
       along: (frame, direction) => this.along(frame, direction),
       show: (layer, on) => this.switch(layer, on),

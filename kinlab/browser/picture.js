@@ -21,7 +21,7 @@ const TRACE_LENGTH = 4000, TRACE_STEP = 0.2;        // points; px
 const LABEL_STEPS = 3;                              // towards its place, in each picture
 const UNFRAMED = ["axes", "ghost", "trace"];        // layers that may leave the picture
 const SOLID_SHAPES = ["tube", "ball", "box"], WORD_SHAPES = ["text", "name"];
-const FRAME_SHAPES = ["axis", ...WORD_SHAPES];
+const FRAME_PARTS = ["frame", "label"];
 const PAPER = { azimuth: -90, elevation: 90, zoom: 1 };   // x to the right, y up
 
 export class Picture {
@@ -135,9 +135,9 @@ export class Picture {
    */
   turn(what, on) {
     this.off[on ? "delete" : "add"](what);
-    const hidden = (/** @type {Whole} */ { shape, layer, frame }) =>
+    const hidden = (/** @type {Whole} */ { part, layer, frame }) =>
       this.off.has(`layer ${layer}`) ||
-      (FRAME_SHAPES.includes(shape) && this.off.has(`frame ${frame}`));
+      (FRAME_PARTS.includes(part) && this.off.has(`frame ${frame}`));
     for (const part of this.parts) part.show(!hidden(part.item));
   }
 

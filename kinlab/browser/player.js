@@ -15,6 +15,12 @@ export class Mover {
 
   writing = false;
 
+  /**
+   * Where it goes to now.
+   * @type {number[]}
+   */
+  goal = [];
+
   /** @param {() => void} onStop */
   constructor(onStop) {
     this.onStop = onStop;
@@ -30,6 +36,7 @@ export class Mover {
     this.stop();
     if (matchMedia("(prefers-reduced-motion: reduce)").matches) duration = 0;
     let from = joints.read(), next = 0, began = performance.now();
+    this.goal = poses[0];
     const step = (/** @type {number} */ now) => {
       const t = duration ? clip((now - began) / duration, 0, 1) : 1;
       const to = poses[next], s = smooth(t);
@@ -40,6 +47,7 @@ export class Mover {
           if (!loop || !duration) return this.stop();
           next = 0;
         }
+        this.goal = poses[next];
       }
       this.request = requestAnimationFrame(step);
     };

@@ -137,9 +137,9 @@ def _limits(sketch: Sketch, k: int, homes: tuple, ends: tuple) -> tuple[int, int
     low, most, least, high = ends
     index = subscript(k)
     ranges = (("from", low, most), ("to", least, high))
-    first, last = (sketch.knob(Knob.angle(f"{word}_{k}", f"θ{index} {word}", radians(a),
-                                          radians(b), radians(home)))
-                   for (word, a, b), home in zip(ranges, homes))
+    first, last = (sketch.knob(replace(
+        Knob.angle(f"{word}_{k}", f"θ{index} {word}", radians(a), radians(b), radians(home)),
+        pair=f"θ{index}")) for (word, a, b), home in zip(ranges, homes))
     return first, last
 
 
