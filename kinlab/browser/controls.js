@@ -248,7 +248,8 @@ export class Controls {
    */
   press(knob, share) {
     const { low, high } = this.track(knob), value = low + share * (high - low);
-    const far = (/** @type {Row} */ row) => Math.abs(row.value - value);
+    const far = (/** @type {Row} */ row) => Math.abs(row.value - value) +
+      Math.abs(clip(value, row.reach.low, row.reach.high) - value);   // and whether it gets there
     const nearest = this.ends(knob).reduce((a, b) => far(b) < far(a) ? b : a);
     nearest.took(snap(value, nearest.reach));
   }
@@ -263,9 +264,10 @@ export class Controls {
     for (const [pair, node] of this.tracks) {
       const knob = this.knobs.find((one) => one.pair === pair);
       if (!knob) continue;
-      const { low, high } = this.track(knob);
-      this.ends(knob).forEach(({ value }, k) =>
-        node.style.setProperty(`--end-${k}`, String((value - low) / (high - low))));
+      const { low, high } = this.track(knob), rows = this.ends(knob);
+      const shares = rows.map(({ value }) => (value - low) / (high - low));
+      shares.forEach((share, k) => node.style.setProperty(`--end-${k}`, String(share)));
+      rows[0].range.style.zIndex = shares[0] > 0.5 ? "2" : "";   // on top is the one that can go
     }
   }
 

@@ -332,6 +332,14 @@ def test_a_mouse_takes_either_handle_and_the_track_between(visit):
     page.mouse.click(place(170), y)
     low, high = values(view)
     assert low == 60 and 166 <= high <= 174
+    slider(view, "θ₁ to").press("End")
+    slider(view, "θ₁ from").press("End")
+    page.mouse.move(place(180), y)
+    page.mouse.down()
+    page.mouse.move(place(90), y, steps=4)
+    page.mouse.up()
+    assert 86 <= values(view)[0] <= 94 and values(view)[1] == 180  # not stuck at the end
+    high = 180
     page.mouse.click(place(-100), y)
     assert -104 <= values(view)[0] <= -96 and values(view)[1] == high
 
