@@ -15,6 +15,8 @@ from rjsmin import jsmin
 HERE = Path(__file__).parent
 _DARK = re.compile(r"\[data-jp-theme-light=\"false\"] (:is\(.*?\n\})", re.DOTALL)
 _IMPORT = re.compile(r'^import \{([^}]*)\} from "\./([\w.]+)";\n', re.MULTILINE)
+# rjsmin would take the spaces out of a text in backquotes within another one.
+_NESTED = re.compile(r"`[^`]*\$\{[^}`]*`")
 _EXPORT = re.compile(r"^export (?!default\b)", re.MULTILINE)
 # The names that a line at the margin defines: "const A = 1, B = 2;" defines two.
 _NAMES = re.compile(r"^(export )?(?:(?:async )?function\*?|class|const|let) "
@@ -85,6 +87,9 @@ def _check(texts: dict[str, str]) -> None:
     """That the texts can stand in one scope."""
     owners: dict[str, str] = {}
     for name, text in texts.items():
+        if nested := _NESTED.search(text):
+            raise ValueError(f"{name}: holds {nested[0]!r}; give the text within the other one a "
+                             "name of its own")
         if found := re.search(r"^import\b.*", _IMPORT.sub("", text), re.MULTILINE):
             raise ValueError(f"{name}: cannot follow {found[0]!r}; write "
                              'import { name } from "./module.js";')

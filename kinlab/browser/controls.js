@@ -78,7 +78,7 @@ class Row {
     this.range.max = String(tidy(high));
     for (const node of [this.label, this.range, this.field]) node.title = title || label;
     this.range.setAttribute("aria-label", name);
-    this.field.setAttribute("aria-label", `${name}, number${unit ? ` in ${unit}` : ""}`);
+    this.field.setAttribute("aria-label", `${name}, number${unit && " in "}${unit}`);
     this.value = NaN;                               // to be shown anew
   }
 

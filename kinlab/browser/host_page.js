@@ -84,7 +84,7 @@ async function copyLink(knobs, joints, live) {
     await navigator.clipboard.writeText(text);
     live.note(`Copied ${published ? "the link" : text}.${advice}`);
   } catch {
-    live.note(`Copy this by hand: ${text}${published ? "" : ` .${advice}`}`);
+    live.note(`Copy this by hand: ${text}${published ? "" : " ."}${advice}`);
   }
 }
 

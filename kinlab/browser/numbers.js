@@ -72,7 +72,7 @@ function lengthIn(unit, text) {
   refuseIf(angle, "no angle belongs here, leave out deg and rad");
   if (size < SMALLEST_LENGTH && value && !PLAIN.test(pointed(text))) return 0;   // cos(pi/2)
   refuseIf(value !== 0 && !(size >= SMALLEST_LENGTH && size <= LARGEST_LENGTH),
-           `between 1e-9 and 1e9${unit && ` ${unit}`}, or 0; look for a slip in the exponent`);
+           `between 1e-9 and 1e9${unit && " "}${unit}, or 0; look for a slip in the exponent`);
   return value;
 }
 
@@ -230,5 +230,6 @@ function combined(sign, left, right) {
 /** @type {(text: string) => string} */
 function quoted(text) {
   const start = [...text.slice(0, 82)];
-  return `'${start.length > 40 ? `${start.slice(0, 40).join("")}…` : text}'`;
+  const brief = start.length > 40 ? `${start.slice(0, 40).join("")}…` : text;
+  return `'${brief}'`;
 }

@@ -167,7 +167,7 @@ export function inWords({ joints, frames, links }, { knobs }, q) {
     if (!knob) return [];
     const { label, title, scale, digits, suffix } = knob;
     const value = (q[joint - 1] / scale).toFixed(digits).replace("-", "\u2212");
-    return `${title ? `${title}: ` : ""}${label} = ${value}${suffix}`;
+    return `${title}${title && ": "}${label} = ${value}${suffix}`;
   });
   const others = [...frames].map((name) => `frame ${name}`);
   return (of.length ? of : others.length ? others : links.has(0) ? ["the base"] : []).join("; ");

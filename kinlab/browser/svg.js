@@ -46,9 +46,12 @@ export const reveal = (node, visible) =>
 /** @type {(value: number) => string} */
 export const px = (value) => value.toFixed(1);
 
+/** @type {(point: number[]) => string} */
+const spotText = ([x, y]) => `${px(x)} ${px(y)}`;
+
 /** @type {(points: number[][]) => string} */
 export const polyline = (points) =>
-  points.length ? `M${points.map(([x, y]) => `${px(x)} ${px(y)}`).join("L")}` : "";
+  points.length ? `M${points.map(spotText).join("L")}` : "";
 
 /** @type {(points: number[][]) => string} */
 export const polygon = (points) => points.length ? `${polyline(points)}Z` : "";

@@ -167,7 +167,8 @@ export class Editor {
   /** What Python said last, or how many cells are wrong. */
   remark() {
     const { said, wrong: count } = this.state;
-    const wrong = count && `${count === 1 ? "One cell is" : `${count} cells are`} wrong. ` +
+    const cells = count === 1 ? "One cell is" : `${count} cells are`;
+    const wrong = count && `${cells} wrong. ` +
       "The arm below is the last one that could be read.";
     const remark = /** @type {Element} */ (this.element.querySelector(".kl-said"));
     const text = said || wrong || "";
@@ -273,9 +274,9 @@ export class Editor {
     const kinds = [["revolute", "revolute"], ["prismatic", "prismatic"]];
     const cells = this.columns.map((column) => {
       const star = column === row.variable, letter = GREEK[column];
-      const name = `${letter ? indexed(this.state.convention, column, i) : `row ${i}`}, ` +
-        `${star ? "offset of the joint variable" : NAMES[column]}, row ${i}, ` +
-        row.cells[column].unit;
+      const symbol = letter ? indexed(this.state.convention, column, i) : `row ${i}`;
+      const meaning = star ? "offset of the joint variable" : NAMES[column];
+      const name = `${symbol}, ${meaning}, row ${i}, ${row.cells[column].unit}`;
       const input = typed(`${row.key} ${column}`, name, row.cells[column].text,
         (text) => this.send("with_cell", this.place(row.key), column, text));
       input.dataset.reason = reason;
