@@ -36,11 +36,12 @@ export class Hold {
     this.name = handle ? handle.name : joint;
     this.alone = knobs.length === 1;
     this.node = make("div", { class: "kl-hold", tabindex: "-1", hidden: "", "aria-label": this.name,
-      "data-hold": this.name, role: this.alone ? "slider" : "button",
+      "data-joint": handle ? null : knobs[0] + 1, role: this.alone ? "slider" : "button",
       "data-lm-suppress-shortcuts": "true", "aria-roledescription": this.alone ? null : "handle",
       "aria-valuemin": this.alone ? tidy(low / scale) : null,
       "aria-valuemax": this.alone ? tidy(high / scale) : null });
     this.ring = document.createElementNS("http://www.w3.org/2000/svg", "circle");
+    this.ring.setAttribute("data-state", "");
     this.ring.setAttribute("r", String(RING_RADIUS));
     this.ring.setAttribute("class", handle ? "kl-ring kl-point" : "kl-ring");
   }

@@ -117,6 +117,41 @@ def test_a_link_goes_by_its_joint_and_stays_under_the_hand(desk, robot, side, bo
     desk.mouse.up()
 
 
+@pytest.mark.parametrize("camera", [
+    {"azimuth": -60, "elevation": 24, "zoom": 1, "perspective": True},
+    {"azimuth": 130, "elevation": 50, "zoom": 1.3, "perspective": True},
+    {"azimuth": -100, "elevation": -35, "zoom": 1, "perspective": False}])
+def test_a_link_is_held_in_perspective_and_from_below(desk, camera):
+    shown = Shown(desk, kl.ArmView(kl.robots.alpha_ii()))
+    desk.evaluate("camera => { Object.assign(live.picture.camera, camera); live.redraw(); }", camera)
+    settle(desk)
+    frame, held = shown.skin("link-2-0")
+    wanted = shown.q
+    wanted[1] += 0.4
+    shown.take(shown.seen(shown.place(frame, held))[0])
+    (hand,) = shown.seen(shown.place(frame, held, wanted))
+    shown.carry(hand)
+    assert apart(shown.seen(shown.place(frame, held))[0], hand) < 3
+    desk.mouse.up()
+    np.testing.assert_allclose(shown.q, wanted, atol=0.03)
+
+
+def test_the_picture_stands_still_while_it_is_held_and_finds_its_frame_then(desk):
+    shown = Shown(desk, kl.ArmView(kl.robots.two_link()), side="Top")
+    base = desk.locator("#base").bounding_box()
+    shown.take(shown.seen(shown.place(shown.scene.tip))[0])
+    shown.carry(shown.seen([-0.4, 1.2, 0])[0])
+    assert desk.locator("#base").bounding_box() == base
+    desk.mouse.up()
+    desk.wait_for_function("!live.picture.steady.moving")
+    settle(desk)
+    assert desk.locator("#base").bounding_box() != base
+    wanted = desk.evaluate("live.picture.lens.scale")
+    desk.evaluate("joints.write(joints.q)")           # drawn anew, from the pose alone
+    settle(desk)
+    assert desk.evaluate("live.picture.lens.scale") == pytest.approx(wanted, rel=1e-9)
+
+
 def test_beyond_its_limit_a_joint_waits(desk):
     links = [kl.revolute(a=1, limits=(-0.5, 0.5)), kl.revolute(a=1)]
     shown = Shown(desk, kl.ArmView(kl.Arm(links, home=[0, 0.3])), side="Top")
@@ -281,6 +316,7 @@ def test_handles_are_reached_and_moved_by_keys(desk):
     expect(desk.locator(".kl-spoken")).to_have_text("tip of the arm, at 1.025, 1.476, 0.000 m")
     desk.keyboard.press("]")
     expect(focused).to_have_attribute("aria-label", "θ₁, shoulder")
+    assert desk.evaluate("[...live.highlight.pointing.now.joints]") == [1]
     desk.keyboard.press("Tab")
     expect(focused).to_have_attribute("aria-label", "θ₂, elbow")
     assert focused.get_attribute("role") == "slider"
