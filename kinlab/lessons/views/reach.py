@@ -35,6 +35,7 @@ def reach_view() -> LiveView:
     sketch = Sketch.of(arm, name="What the Alpha II reaches", keep=lambda item: not item.layer)
     shoulder, chain = arm.links[0].d, _chain()
     sketch.bare()
+    sketch.presets["3-D"] = (-38.0, 20.0)  # half of the cloud is seen beside the plane
     sketch.fit, sketch.center, sketch.radius = None, (0.0, 0.0, shoulder), 1.06 * chain.reach
     turn = sketch.knob(Knob.angle("slice", "slice", -pi / 2, pi / 2, 0.0,
                                   "how far the plane is turned from x about the base's axis"))
