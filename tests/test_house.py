@@ -35,7 +35,7 @@ LIBRARIES = {
     "arms.symbolic": {"sympy"}, "arms.notation": {"sympy"}, "arms.motions": {"sympy"},
     "arms.workspace": {"tqdm"}, "drawing.figure": {"matplotlib", "PIL"},
     "drawing.workspace_figures": {"matplotlib"}, "browser.mathml": {"latex2mathml"},
-    "browser.page": {"jinja2"}, "browser.bundle": {"rjsmin"},
+    "browser.page": {"jinja2", "PIL"}, "browser.bundle": {"rjsmin"},
     "views.live": {"anywidget", "traitlets"}, "views.table_editor": {"traitlets"},
 }
 

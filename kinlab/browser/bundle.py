@@ -14,6 +14,7 @@ from rjsmin import jsmin
 
 HERE = Path(__file__).parent
 _DARK = re.compile(r"\[data-jp-theme-light=\"false\"] (:is\(.*?\n\})", re.DOTALL)
+_REMARK, _AIR = re.compile(r"/\*.*?\*/", re.DOTALL), re.compile(r"\s*([{};,])\s*")  # in a style
 _IMPORT = re.compile(r'^import \{([^}]*)\} from "\./([\w.]+)";\n', re.MULTILINE)
 # rjsmin would take the spaces out of a text in backquotes within another one.
 _NESTED = re.compile(r"`[^`]*\$\{[^}`]*`")
@@ -46,7 +47,8 @@ def page_style() -> str:
     """The style sheet of a plain page; where the system is dark its inks are dark JupyterLab's."""
     sheets = style("live.css", "page.css")
     (inks,) = _DARK.findall(sheets)
-    return f"{sheets}\n@media screen and (prefers-color-scheme: dark) {{\n{inks}\n}}\n"
+    dark = f"\n@media screen and (prefers-color-scheme: dark) {{\n{inks}\n}}\n"
+    return _AIR.sub(r"\1", _REMARK.sub("", sheets + dark))
 
 
 def _joined(entry: str, folder: Path) -> str:

@@ -5,6 +5,7 @@ The picture, its data, its controls and its script are those of the notebook.
 from __future__ import annotations
 
 import base64
+import io
 import json
 import os
 from pathlib import Path
@@ -25,9 +26,18 @@ def part(still: bytes, data: dict, text: str, formula: str = "", *, address: boo
     """
     plain = json.dumps(_short(data), ensure_ascii=False, separators=(",", ":"))
     plain = plain.replace("<", r"\u003c")  # no text in it can end the script
-    picture = base64.b64encode(still).decode()
-    return _filled("view.html.j2", still=picture, text=text, formula=formula, data=plain,
+    return _filled("view.html.j2", still=base64.b64encode(_smaller(still)).decode(), text=text, formula=formula, data=plain,
                    wide=data["scene"]["wide"], address=address)
+
+
+def _smaller(still: bytes) -> bytes:
+    """The picture in fewer pixels, for where no script draws a better one."""
+    from PIL import Image
+
+    picture, small = Image.open(io.BytesIO(still)).convert("RGB"), io.BytesIO()
+    width, height = (side * 5 // 9 for side in picture.size)
+    picture.resize((width, height), Image.Resampling.LANCZOS).save(small, "WEBP", quality=35, method=6)
+    return small.getvalue()
 
 
 def _filled(template: str, **parts: Any) -> str:

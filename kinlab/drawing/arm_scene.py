@@ -81,8 +81,7 @@ def _axes(layout: Layout, bodies: Bodies) -> Iterator[Item]:
         yield Item(f"axis-{i + 1}", LINE, "axis", ends, layout.body(), "axes",
                    lift=layout.reach, part="axis", joint=i + 1, link=i)
         yield Item(f"axis-name-{i + 1}", TEXT, "ink", at(frame, (0, 0, place + 1.1 * long)),
-                   layout.body(), "axes", f"axis {i + 1}", lift=3 * layout.reach, part="label",
-                   joint=i + 1, link=i)
+                   layer="axes", text=f"axis {i + 1}", part="label", joint=i + 1, link=i)
 
 
 def _triads(layout: Layout, bodies: Bodies) -> list[Item]:
@@ -108,10 +107,10 @@ def _triad(layout: Layout, which: tuple[str, int, int], size: tuple[float, float
     for letter, axis in zip("xyz", _AXES):
         points = at(frame, (0, 0, 0), axis)
         items += [
-            Item(f"frame-{name}-{letter}", AXIS, letter, points, layout.body(), "frames",
-                 size=size, part="frame", frame=name, link=link),
-            Item(f"label-{name}-{letter}", NAME, letter, points, layout.body(), "labels",
-                 letter + subscript(name), size=size, part="label", frame=name, link=link),
+            Item(f"frame-{name}-{letter}", AXIS, letter, points, layer="frames", size=size,
+                  part="frame", frame=name, link=link),
+            Item(f"label-{name}-{letter}", NAME, letter, points, layer="labels",
+                 text=letter + subscript(name), size=size, part="label", frame=name, link=link),
         ]
     return items
 
@@ -121,8 +120,8 @@ def _names(layout: Layout, bodies: Bodies) -> Iterator[Item]:
     for i, link in enumerate(layout.arm.links):
         if link.name:
             place = at(layout.joints[i], (0, 0, bodies.places[i].along))
-            yield Item(f"name-{i + 1}", TEXT, "ink", place, layout.body(), "names", link.name,
-                       lift=3 * layout.reach, part="label", joint=i + 1, link=i)
+            yield Item(f"name-{i + 1}", TEXT, "ink", place, layer="names", text=link.name,
+                       part="label", joint=i + 1, link=i)
 
 
 def _trace(layout: Layout) -> list[Item]:

@@ -240,7 +240,7 @@ class Bodies:
     def _item(self, gid: str, shape: str, style: str, points: tuple[Point, ...], link: int,
               size: tuple[float, ...] = (), joint: int | None = None) -> Item:
         part = {"iron": "joint", "sleeve": "joint", "steel": "link", "grip": "gripper"}
-        return Item(gid, shape, style, points, self.layout.body(), size=size,
+        return Item(gid, shape, style, points, size=size,
                     part=part.get(style, style), joint=joint, link=link)
 
 
