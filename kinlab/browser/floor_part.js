@@ -1,7 +1,7 @@
 // The floor in an SVG picture: what floor.js says stands on it.
 
 import { FADE, drop, giveWay, ground, shadow } from "./floor.js";
-import { drawn, polygon, polyline, put, px, reveal } from "./svg.js";
+import { drawn, letter, polygon, polyline, put, px, reveal } from "./svg.js";
 
 /** @import { Body } from "./order.js" */
 /** @import { Ground, RulerNumber, Words as FloorWords } from "./floor.js" */
@@ -171,7 +171,7 @@ export class FloorPart {
 
 /** @type {(node: Element, words: FloorWords) => void} */
 function writeAt(node, { text, place: [x, y] }) {
-  if (node.textContent !== text) node.textContent = text;
+  letter(node, text);
   put(node, "x", px(x));
   put(node, "y", px(y));
 }

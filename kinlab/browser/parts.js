@@ -233,22 +233,36 @@ class Skin {
 
   /** @param {NonNullable<Face["gradient"]>} light @param {string[]} ramp */
   across(light, ramp) {
-    const radial = "center" in light, { levels } = light;
-    if (!this.gradient) {
-      this.gradient = drawn(radial ? "radialGradient" : "linearGradient",
-        { id: `kl-light-${lights += 1}`, gradientUnits: "userSpaceOnUse" },
-        ...levels.map((_, k) => drawn("stop", { offset: STOPS_AT[levels.length][k] })));
-      this.group.prepend(this.gradient);
-    }
-    const { gradient } = this;
-    const ends = radial ? { cx: light.center[0], cy: light.center[1], r: light.radius }
-      : { x1: light.from[0], y1: light.from[1], x2: light.to[0], y2: light.to[1] };
-    for (const [name, value] of Object.entries(ends)) put(gradient, name, px(value));
-    levels.forEach((level, k) => put(gradient.children[k], "stop-color", ramp[level]));
+    const gradient = this.gradient ??= this.lit(light), matrix = unitOf(light).map(px).join(" ");
+    put(gradient, "gradientTransform", `matrix(${matrix})`);
+    light.levels.forEach((level, k) => put(gradient.children[k], "stop-color", ramp[level]));
     return `url(#${gradient.id})`;
   }
 
+  /**
+   * A gradient of length 1; where it lies is one attribute, which is set in every picture.
+   * @param {NonNullable<Face["gradient"]>} light
+   */
+  lit({ levels, ...light }) {
+    const ends = "center" in light ? { cx: 0, cy: 0, r: 1 } : { x1: 0, y1: 0, x2: 1, y2: 0 };
+    const gradient = drawn("center" in light ? "radialGradient" : "linearGradient",
+      { id: `kl-light-${lights += 1}`, gradientUnits: "userSpaceOnUse", ...ends },
+      ...levels.map((_, k) => drawn("stop", { offset: STOPS_AT[levels.length][k] })));
+    this.group.prepend(gradient);
+    return gradient;
+  }
+
   hide() { reveal(this.group, false); }
+}
+
+/**
+ * The matrix that lays a gradient of length 1 where a light is.
+ * @param {NonNullable<Face["gradient"]>} light
+ */
+function unitOf(light) {
+  if ("center" in light) return [light.radius, 0, 0, light.radius, ...light.center];
+  const { from: [x, y], to: [u, v] } = light;
+  return [u - x, v - y, y - v, u - x, x, y];
 }
 
 /** @type {Record<number, number[]>} */

@@ -2,8 +2,25 @@
 
 const SVG = "http://www.w3.org/2000/svg";
 
-/** @type {WeakMap<Element, Map<string, string>>} */
-const attributesSet = new WeakMap();
+/**
+ * What was set last, of each element. Reading it from the element would take longer.
+ * @type {WeakMap<Element, Record<string, string>>}
+ */
+const lastSet = new WeakMap();
+
+/**
+ * Whether a property of an element is to be another one from now on.
+ * @param {Element} node
+ * @param {string} name
+ * @param {string} value
+ */
+function changes(node, name, value) {
+  let known = lastSet.get(node);
+  if (!known) lastSet.set(node, known = {});
+  if (known[name] === value) return false;
+  known[name] = value;
+  return true;
+}
 
 /**
  * An element of an SVG picture.
@@ -28,11 +45,16 @@ export function drawn(tag, attributes = {}, ...children) {
  * @param {string} value
  */
 export function put(node, name, value) {
-  let known = attributesSet.get(node);
-  if (!known) attributesSet.set(node, known = new Map());
-  if (known.get(name) === value) return;
-  known.set(name, value);
-  node.setAttribute(name, value);
+  if (changes(node, name, value)) node.setAttribute(name, value);
+}
+
+/**
+ * Set the text of an element, if it is another one.
+ * @param {Element} node
+ * @param {string} text
+ */
+export function letter(node, text) {
+  if (changes(node, "#text", text)) node.textContent = text;
 }
 
 /**
