@@ -26,7 +26,8 @@ def part(still: bytes, data: dict, text: str, formula: str = "", *, address: boo
     """
     plain = json.dumps(_short(data), ensure_ascii=False, separators=(",", ":"))
     plain = plain.replace("<", r"\u003c")  # no text in it can end the script
-    return _filled("view.html.j2", still=base64.b64encode(_smaller(still)).decode(), text=text, formula=formula, data=plain,
+    picture = base64.b64encode(_smaller(still)).decode()
+    return _filled("view.html.j2", still=picture, text=text, formula=formula, data=plain,
                    wide=data["scene"]["wide"], address=address)
 
 
@@ -36,7 +37,8 @@ def _smaller(still: bytes) -> bytes:
 
     picture, small = Image.open(io.BytesIO(still)).convert("RGB"), io.BytesIO()
     width, height = (side * 5 // 9 for side in picture.size)
-    picture.resize((width, height), Image.Resampling.LANCZOS).save(small, "WEBP", quality=35, method=6)
+    fewer = picture.resize((width, height), Image.Resampling.LANCZOS)
+    fewer.save(small, "WEBP", quality=35, method=6)
     return small.getvalue()
 
 

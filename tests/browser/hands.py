@@ -1,4 +1,4 @@
-"""Both hands beside each other: what a page shows of a scene, and the marks of the still picture."""
+"""Both hands beside each other: what a page shows of a scene, and marks of the still picture."""
 import numpy as np
 
 from kinlab.drawing.still import still

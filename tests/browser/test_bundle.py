@@ -43,7 +43,8 @@ def test_a_page_gets_a_script_that_cannot_end_early(folder):
      "new.js: imports 'high' from low.js, which exports no such name"),
     ('import { low as one } from "./low.js";\n', "new.js: imports 'low as one' from low.js"),
     ('import * as low from "./low.js";\n', "new.js: cannot follow 'import * as low from"),
-    ("const name = `one ${all.map((k) => `k ${k}`)}`;\n", "new.js: holds '`one ${all.map((k) => `'"),
+    ("const name = `one ${all.map((k) => `k ${k}`)}`;\n",
+     "new.js: holds '`one ${all.map((k) => `'"),
     ('import { all } from "./new.js";\n',
      "new.js > new.js: these modules import each other in a circle"),
 ])
