@@ -34,6 +34,7 @@ LIBRARIES = {
     "course": {"numpy", "nbformat", "nbclient", "nbconvert", "pygments", "jupyterlab"},
     "arms.symbolic": {"sympy"}, "arms.notation": {"sympy"}, "arms.motions": {"sympy"},
     "arms.workspace": {"tqdm"}, "drawing.figure": {"matplotlib", "PIL"},
+    "drawing.legend": {"matplotlib"},
     "drawing.workspace_figures": {"matplotlib"}, "browser.mathml": {"latex2mathml"},
     "browser.page": {"jinja2", "PIL"}, "browser.bundle": {"rjsmin"},
     "views.live": {"anywidget", "traitlets"}, "views.table_editor": {"traitlets"},

@@ -2,6 +2,7 @@
 // as an arc, the length by which it has slid as a dimension line, each with its name and value.
 
 import { ROTATE, travel } from "./frames.js";
+import { textSize } from "./labels.js";
 import { branch } from "./pointing.js";
 import { drawn, polygon, polyline, px } from "./svg.js";
 import { minus, plus, times } from "./vectors.js";
@@ -72,6 +73,20 @@ export function slideFigure(from, to, see) {
            name: aside(towards(a, b, 0.5), SIDEWAYS + OUTWARDS) };
 }
 
+/**
+ * The frame that a joint's motion leads to, the first on the way to the tip; null for a joint whose
+ * angle the picture shows already, and for a knob that only scrubs.
+ * @param {Scene} scene
+ * @param {number} joint
+ */
+function stepOf({ motions, tip, items }, joint) {
+  if (items.some((item) => item.part === "arc" && item.joint === joint + 1)) return null;
+  return [...branch(motions, tip).reverse(), ...motions.map((_, k) => k + 1)].find((k) => {
+    const motion = /** @type {Elementary} */ (motions[k - 1]);
+    return motion.joint === joint && !motion.track && !motion.scrub && motion.start == null;
+  }) ?? null;
+}
+
 /** The marks of all joints that are pointed at. */
 export class Marks {
   group = drawn("g", { class: "kl-marks" });
@@ -79,12 +94,7 @@ export class Marks {
   /** @param {Scene} scene */
   constructor(scene) {
     this.scene = scene;
-    const { motions, tip, knobs } = scene, way = branch(motions, tip).reverse();
-    const rest = motions.map((_, k) => k + 1);
-    this.steps = knobs.map((_, joint) => [...way, ...rest].find((k) => {
-      const motion = /** @type {Elementary} */ (motions[k - 1]);
-      return motion.joint === joint && !motion.track && !motion.scrub && motion.start == null;
-    }) ?? null);
+    this.steps = scene.knobs.map((_, joint) => stepOf(scene, joint));
   }
 
   /**
@@ -122,8 +132,22 @@ export class Marks {
     const figure = turns
       ? arcFigure(before, motion.axis, value, (ARC + FARTHER * near) / scale, see)
       : slideFigure(before[3], at[step][3], see);
-    return markOf(figure, turns, joint, valued(this.scene.knobs[joint - 1], value));
+    const text = valued(this.scene.knobs[joint - 1], value);
+    if (turns) figure.name = keptClear(figure.name, see(before[3]), text);
+    return markOf(figure, turns, joint, text);
   }
+}
+
+
+/**
+ * The middle of a name that begins or ends at a place, away from another.
+ * @param {number[]} place
+ * @param {number[]} from
+ * @param {string} text
+ */
+function keptClear([x, y], [u, v], text) {
+  const level = (x - u) / (Math.hypot(x - u, y - v) || 1);
+  return [x + textSize(text)[0] / 2 * level, y];
 }
 
 /** @type {(knob: Knob, value: number) => string} */

@@ -161,7 +161,7 @@ export function holdings(knobs, read) {
  * @param {Scene} scene
  * @param {number[]} q
  */
-export function inWords({ joints, frames, links }, { knobs }, q) {
+export function inWords({ joints, frames, links }, { knobs, items }, q) {
   const of = [...joints].flatMap((joint) => {
     const knob = knobs[joint - 1];
     if (!knob) return [];
@@ -169,6 +169,8 @@ export function inWords({ joints, frames, links }, { knobs }, q) {
     const value = (q[joint - 1] / scale).toFixed(digits).replace("-", "\u2212");
     return `${title}${title && ": "}${label} = ${value}${suffix}`;
   });
-  const others = [...frames].map((name) => `frame ${name}`);
+  const others = [...frames].map((name) =>
+    `${items.some(({ frame, part }) => frame === name && part === "point") ? "point" : "frame"} ` +
+    name);
   return (of.length ? of : others.length ? others : links.has(0) ? ["the base"] : []).join("; ");
 }

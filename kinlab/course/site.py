@@ -94,6 +94,8 @@ class _Renderer(IPythonRenderer):
                 f'aria-label="This section">¶</a></h{level}>\n')
 
     def link(self, text: str, url: str, title: str | None = None) -> str:
+        if url.startswith("#kl:"):  # a term that lights a view (kinlab/browser/terms.js)
+            return f'<a role="button" href="{escape(url)}">{text}</a>'
         return super().link(text, re.sub(r"\.ipynb(?=$|#)", ".html", url), title)
 
     def paragraph(self, text: str) -> str:

@@ -30,10 +30,11 @@ class Picture(Figure):
 
     Attributes
     ----------
-    words : str
-        What the picture shows.
+    about, words : str
+        What kind of picture it is, and what it shows.
     """
 
+    about = "Picture of a workspace."
     words = ""
 
     def __repr__(self) -> str:
@@ -43,7 +44,7 @@ class Picture(Figure):
         buffer = io.BytesIO()
         self.savefig(buffer, format="png", dpi=90, facecolor="white", bbox_inches="tight")
         return ({"text/plain": self.words, "image/png": buffer.getvalue()},
-                {"image/png": {"alt": f"Picture of a workspace. {self.words}"}})
+                {"image/png": {"alt": f"{self.about} {self.words}"}})
 
 
 def slice_picture(reached: Workspace, axis: str = "y", at: float = 0.0) -> Picture:

@@ -36,6 +36,13 @@ def reach_view() -> LiveView:
     return LiveView(sketch.scene())
 
 
+def colours() -> Any:
+    """A picture of what the colours of all pictures, formulas and numbers mean."""
+    from ..drawing.legend import colours_picture  # matplotlib: only who asks waits for it
+
+    return colours_picture()
+
+
 # ---- Exercise 1: forward or inverse? -----------------------------------------------------
 
 _QUESTIONS = {"forward": {1, 4, 5}, "inverse": {2, 3, 6}}

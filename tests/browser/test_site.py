@@ -9,6 +9,11 @@ from kinlab.course.notebooks import FOLDER
 
 LESSONS = sorted(path.stem for path in FOLDER.glob("*.ipynb"))
 HOME = (-60, 24, 1)
+NEIGHBOUR = """(term, view) => {
+    const all = [...document.querySelectorAll('.kl-view, a[href^="#kl:"]')]
+        .filter(node => node === term || node.matches('.kl-view'));
+    return Math.abs(all.indexOf(view) - all.indexOf(term)) === 1;
+}"""
 PATHS = """view => [...view.querySelectorAll('.kl-picture path')]
     .map(path => path.getAttribute('d')).join()"""
 
@@ -66,6 +71,21 @@ def test_a_lessons_views_move_its_formulas_are_drawn_and_it_fits_phones(visit, n
         .map(box => Math.min(box.width, box.height))""")
     assert len(sizes) > 10 and min(sizes) > 2
     assert_fits_phones(page)
+
+
+@pytest.mark.parametrize("name", [name for name in LESSONS if not name.startswith("appendix")])
+def test_every_term_of_a_lesson_lights_its_view(visit, name):
+    """The view that stands right above or below it in the lesson, and no other."""
+    page = visit(name)
+    page.locator(".kl-picture svg").last.wait_for(state="attached")
+    terms = page.locator("a[href^='#kl:']")
+    assert terms.count() >= 2
+    for term in terms.all():
+        term.focus()
+        expect(page.locator(".kl-pointed:not(:empty)")).to_have_count(1)
+        beside = page.locator(".kl-view:has(.kl-pointed:not(:empty))")
+        assert term.evaluate(NEIGHBOUR, beside.element_handle()), term.get_attribute("href")
+        assert beside.locator(".kl-picture .kl-dim").count() > 0, term.get_attribute("href")
 
 
 def test_the_map_fits_phones(visit):

@@ -101,3 +101,16 @@ def test_colour_is_not_the_only_cue(style):
 def test_every_style_of_a_quantity_is_taken_over_by_the_theme(style):
     assert re.search(rf"\.kl-{style}\b[^{{}}]*\{{ --line:", STYLE)
     assert re.search(rf":is\([^)]*\.kl-{style}\b[^)]*\) path \{{ stroke: var\(--line\)", STYLE)
+
+
+def test_the_legend_names_every_colour():
+    from kinlab.drawing.legend import _ENTRIES, colours_picture
+
+    picture = colours_picture()
+    assert {name for name, _ in _ENTRIES} - {"miss"} == set(COLOURS)
+    shown = {text.get_text(): text.get_color() for text in picture.axes[0].texts if text.get_text()}
+    assert shown["angle: a violet arc"] == "#7A3E9D"
+    assert shown["x axis, vermilion"] == "#B84F00"
+    assert list(shown) == picture.words.split("; ")
+    _, metadata = picture._repr_mimebundle_()
+    assert metadata["image/png"]["alt"] == f"Legend. {picture.words}"

@@ -118,9 +118,13 @@ test("numbers know the joints that move them", () => {
 test("what is pointed at is said in words", () => {
   const knobs = [knob("θ₁", -3, 3, { title: "shoulder", scale: Math.PI / 180, suffix: "°" }),
                  knob("d₂", 0, 1, { suffix: " m", digits: 2 })];
-  const say = (spot) => inWords(belonging(spot, []), { knobs }, [-Math.PI / 6, 0.4]);
+  const items = [{ frame: "c", part: "label" }, { frame: "c", part: "point" },
+                 { frame: "E", part: "frame" }];
+  const say = (spot) => inWords(belonging(spot, []), { knobs, items },
+                                 [-Math.PI / 6, 0.4]);
   assert.equal(say({ joints: [1, 2] }), "shoulder: θ₁ = −30.0°; d₂ = 0.40 m");
   assert.equal(say({ frames: ["E"] }), "frame E");
+  assert.equal(say({ frames: ["c"] }), "point c");
   assert.equal(say({ links: [0] }), "the base");
   assert.equal(say({ joints: [7] }), "");
 });
