@@ -82,6 +82,7 @@ def test_every_term_of_a_lesson_lights_its_view(visit, name):
     assert terms.count() >= 2
     for term in terms.all():
         term.focus()
+        page.evaluate(SETTLE)
         expect(page.locator(".kl-pointed:not(:empty)")).to_have_count(1)
         beside = page.locator(".kl-view:has(.kl-pointed:not(:empty))")
         assert term.evaluate(NEIGHBOUR, beside.element_handle()), term.get_attribute("href")
