@@ -47,7 +47,10 @@ export function sightlines(items) {
   return found;
 }
 
-/** @type {(icon: string, words: string, before?: boolean) => Node[]} */
+/**
+ * A mark and a word; where there is little room the mark alone is seen.
+ * @type {(icon: string, words: string, before?: boolean) => Node[]}
+ */
 const withIcon = (icon, words, before = true) => {
   const parts = [make("span", { class: "kl-icon", "aria-hidden": "true" }, icon),
                  make("span", { class: "kl-word" }, words)];

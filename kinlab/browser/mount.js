@@ -34,7 +34,8 @@ const HEARD = 400;                                  // ms: a screen reader need 
  * @param {number[]} q
  */
 function limits(knobs, q) {
-  return knobs.flatMap(({ label, suffix, scale, low, high }, i) => {
+  return knobs.flatMap(({ label, suffix, scale, low, high, whole }, i) => {
+    if (whole) return [];                           // its last stage is an end, not a limit
     const slack = 1e-6 * (high - low);
     if (q[i] > low + slack && q[i] < high - slack) return [];
     return `${label} is at its limit, ${Number((q[i] / scale).toFixed(3))}${suffix}`;

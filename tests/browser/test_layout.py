@@ -127,6 +127,23 @@ def test_a_wide_page_is_filled_and_all_is_beside_the_picture(visit):
     assert box(view, ".kl-below")["bottom"] < 1080 and box(view, ".kl-toolbar")["bottom"] < 1080
 
 
+@pytest.mark.parametrize("name", ["alpha_ii", "intelledex_660t", "limits", "solve"])
+def test_a_full_screen_is_filled_and_all_of_it_is_seen(visit, name):
+    view = visit(name, 1920)
+    button(view, "Full screen").click()
+    view.page.wait_for_function("document.fullscreenElement?.classList.contains('kl-view')")
+    settle(view.page)
+    picture = box(view, ".kl-picture")
+    assert picture["width"] > 1000 and picture["height"] > 850
+    boxes = view.evaluate(BOXES, [*PARTS, ".kl-pose thead th:last-child", ".kl-unit"])
+    assert max(bottom for *_, bottom in boxes) <= 1080
+    assert_stands_apart([one for one in boxes if one[0] in PARTS], 1920)
+    assert all(right <= 1920 for _, _, _, right, _ in boxes)
+    large = "node => parseFloat(getComputedStyle(node).fontSize) > 20"
+    assert view.locator(".kl-knob span").first.evaluate(large)
+    assert view.evaluate(SMALL) == []
+
+
 def test_at_1280_the_formula_is_seen_without_scrolling(visit):
     view = visit("alpha_ii", 1280)
     assert box(view, "math")["bottom"] <= 800
@@ -150,6 +167,14 @@ def test_a_phone_shows_picture_one_row_of_buttons_and_sliders(visit, width):
             assert size["width"] >= 44 and size["height"] >= 44, node.inner_text()
     for node in view.get_by_role("slider").all():
         assert node.bounding_box()["height"] >= 44
+
+
+def test_all_of_the_table_editor_can_be_read(live):
+    (view,) = live("import kinlab as kl\nkl.DHTableEditor(kl.robots.alpha_ii())")
+    editor = view.page.locator(".jp-Notebook:visible .kl-editor")
+    editor.get_by_role("button", name="Closed form", exact=True).click()
+    editor.locator(".kl-panel math").wait_for()
+    assert editor.evaluate(SMALL) == []
 
 
 # ---- Menus ----
