@@ -8,7 +8,8 @@ from __future__ import annotations
 import argparse
 import sys
 import tempfile
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -20,13 +21,13 @@ sys.path[:0] = [str(ROOT / "tests" / "browser"), str(ROOT / "tests")]
 
 from lab import open_browser  # noqa: E402
 from lesson_views import VIEWS  # noqa: E402
-from playwright.sync_api import Browser, Page  # noqa: E402
+from playwright.sync_api import Browser, CDPSession, Page  # noqa: E402
 
 import kinlab as kl  # noqa: E402
 from kinlab.browser import page as saved  # noqa: E402
 
 ROUNDS, STEPS = 5, 300
-LOST_MS = 20            # a longer gap between two frames has lost one
+LOST_MS = 20            # ms: a longer gap between two frames has lost one
 GOAL_MS = 4
 EVERYTHING = ("frames", "labels", "axes", "names", "floor", "trace", "ghost")
 # Adds up the time of all that a page does in its animation frames.
@@ -118,8 +119,28 @@ def measure(page: Page, subject: Subject) -> None:
     page.locator(".kl-picture").nth(subject.view).scroll_into_view_if_needed()
     page.evaluate(GO, [subject.view, 60, True])  # until the script is compiled
     subject.rest.append(page.evaluate(GO, [subject.view, STEPS, False]))
-    subject.drag.append(page.evaluate(GO, [subject.view, STEPS, True]))
-    subject.nodes = subject.drag[-1]["nodes"]
+    with processor(page) as used:
+        drag = page.evaluate(GO, [subject.view, STEPS, True])
+    subject.drag.append(drag | {name: 1e3 * seconds / STEPS for name, seconds in used.items()})
+    subject.nodes = drag["nodes"]
+
+
+@contextmanager
+def processor(page: Page) -> Iterator[dict[str, float]]:
+    """Seconds that the page's thread had the processor: for scripts, and for everything."""
+    session, used = page.context.new_cdp_session(page), {}
+    session.send("Performance.enable", {"timeDomain": "threadTicks"})
+    before = counters(session)
+    yield used
+    after = counters(session)
+    used.update({"cpu": after["ScriptDuration"] - before["ScriptDuration"],
+                 "all": after["TaskDuration"] - before["TaskDuration"]})
+    session.detach()
+
+
+def counters(session: CDPSession) -> dict[str, float]:
+    found = session.send("Performance.getMetrics")["metrics"]
+    return {one["name"]: one["value"] for one in found}
 
 
 def lost(found: dict) -> int:
@@ -135,8 +156,9 @@ def row(subject: Subject) -> list:
     k = subject.quietest
     rest, drag = subject.rest[k], subject.drag[k]
     median, p95 = np.percentile(drag["scripts"], [50, 95])
-    return [subject.name, subject.nodes, median, p95, lost(drag), rate(drag), lost(rest),
-            rate(rest)]
+    cpu, all_ = (min(one[name] for one in subject.drag) for name in ("cpu", "all"))
+    return [subject.name, subject.nodes, median, p95, cpu, all_, lost(drag), rate(drag),
+            lost(rest), rate(rest)]
 
 
 def every_view(browser: Browser, folder: Path, name: str) -> list[tuple[str, float, int]]:
@@ -167,7 +189,7 @@ def measured(rounds: int) -> tuple[list[Subject], list[tuple[str, float, int]]]:
 
 
 def show_goals(six: Subject) -> None:
-    _, _, median, _, gone, _, idle, _ = row(six)
+    _, _, median, _, _, _, gone, _, idle, _ = row(six)
     goal(f"six joints: median script per step at most {GOAL_MS} ms: {median:.1f} ms",
          median <= GOAL_MS)
     goal(f"six joints: no frame lost in {STEPS} steps: {gone} lost, {idle} at rest", gone == 0)
@@ -179,8 +201,9 @@ def main() -> None:
     rounds = parser.parse_args().rounds
     header("The moving picture", "playwright")
     found, views = measured(rounds)
-    table(["quietest round", "SVG nodes", "script/step: median ms", "p95 ms", "drag: frames lost",
-           "frames/s", "at rest: frames lost", "frames/s"], [row(subject) for subject in found])
+    table(["quietest round", "SVG nodes", "script/step: median ms", "p95 ms", "cpu ms",
+           "all cpu ms", "drag: frames lost", "frames/s", "at rest: frames lost", "frames/s"],
+          [row(subject) for subject in found])
     table([f"slowest of {len(views)} views", "median ms", "SVG nodes"],
           [list(one) for one in views[:5]])
     show_goals(found[0])

@@ -43,7 +43,11 @@ export type Shape = "line" | "trace" | "face" | "arrow" | "hull" | "text" | "tub
   "box" | "axis" | "name" | "sweep" | "patch" | "way" |
   "area" | "cloud";
 
-/** One drawn thing, as Item in kinlab/drawing/scene.py; what is usual is left out. */
+/**
+ * One drawn thing; Item in kinlab/drawing/scene.py says what `points` and `size` are in each
+ * shape. `part`, `frame`, `joint` (from 1) and `link` (from 0, the base) say what it is a picture
+ * of, `when` for which values of a knob it is there. What is usual is left out.
+ */
 export interface Item {
   gid: string;
   shape: Shape;
@@ -62,7 +66,10 @@ export interface Item {
   when?: [knob: number, low: number, high: number] | Nothing;
 }
 
-/** The ground: grid, numbers, shadow, and frames from whose origins a line is dropped on it. */
+/**
+ * The ground at a height: lines `step` apart as far as `reach`, and frames from whose origins a
+ * line is dropped on it, with numbers of so many decimals.
+ */
 export interface Floor {
   height: number;
   step: number;
