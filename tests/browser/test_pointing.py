@@ -1,6 +1,7 @@
 """Picture, sliders, tables and formulas point at each other."""
 import re
 
+import nbformat
 import numpy as np
 import pytest
 from playwright.sync_api import expect
@@ -8,6 +9,7 @@ from playwright.sync_api import expect
 import kinlab as kl
 from kinlab.browser import bundle
 
+KERNEL = {"name": "python3", "display_name": "Python 3", "language": "python"}
 ARC = 60  # px: radius of an arc
 POSE = np.radians([20, -30, 40, 25, 60])
 TEXT = """<p style="margin-top: 40px">See <a id="term" href="#kl:joints=2,3">C₂₃</a>,
@@ -289,3 +291,28 @@ def test_quantities_have_their_colours_in_rows_and_formulas(visit):
         assert row(view, 3).locator("span").first.evaluate(colour) == length
         assert factor(view, "C1").evaluate(colour) == angle
         assert factor(view, "d3").evaluate(colour) == length
+
+
+def test_in_jupyterlab_rows_of_a_table_and_terms_of_the_text_point(notebook, tmp_path):
+    cells = [nbformat.v4.new_code_cell("import kinlab as kl\n"
+                                       "kl.DHTableEditor(kl.robots.exam_2018())"),
+             nbformat.v4.new_markdown_cell("See [the slide](#kl:joint=3).")]
+    path = tmp_path / "terms.ipynb"
+    nbformat.write(nbformat.v4.new_notebook(cells=cells, metadata={"kernelspec": KERNEL}), path)
+    page = notebook(path)
+    editor = page.locator(".jp-Notebook:visible .kl-editor")
+    rows = editor.locator(".kl-dh tr[data-joint]")
+    expect(rows).to_have_count(3)
+    editor.locator(".kl-picture svg").wait_for()
+    rows.nth(1).locator("th").hover()
+    expect(marks(editor, 2)).to_have_count(1)
+    has_class(rows.nth(1), "kl-held")
+    has_class(rows.nth(0), "kl-back")
+    has_class(row(editor, 1), "kl-back")
+    row(editor, 3).hover(position={"x": 4, "y": 4})
+    has_class(rows.nth(2), "kl-held")
+    term = page.locator(".jp-Notebook:visible a", has_text="the slide")
+    address = page.url
+    term.click()
+    expect(editor.locator(".kl-pointed")).to_contain_text("d₃ = ")
+    assert page.url == address
