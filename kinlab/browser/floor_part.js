@@ -63,9 +63,10 @@ export class FloorPart {
     this.floor = floor;
     const id = `kl-floor-${floors += 1}`, path = () => drawn("path");
     this.fades = ["grid", "x", "y", "pane"].map((ink) => fade(`${id}-${ink}`, ink));
-    this.pane = drawn("path", { fill: `url(#${id}-pane)` });
+    this.pane = drawn("path", { fill: `url(#${id}-pane)`, "data-part": "pane" });
     this.grid = drawn("path", { stroke: `url(#${id}-grid)` });
-    this.rulers = ["x", "y"].map((ink) => drawn("path", { stroke: `url(#${id}-${ink})` }));
+    this.rulers = ["x", "y"].map((ink) => drawn("path",
+      { stroke: `url(#${id}-${ink})`, "stroke-width": 1.4 }));
     this.shade = [drawn("path", { class: "kl-penumbra" }), drawn("path", { class: "kl-umbra" })];
     const marks = named("foot");
     this.guides = new Pool(marks, () => drawn("path", { class: "kl-guide" }));
@@ -73,7 +74,7 @@ export class FloorPart {
     this.lines = floor.drops.map(() => named("dropline", drawn("path")));
     this.numerals = new Pool(named("numbers"), () => drawn("text"));
     this.texts = new Pool(named("coordinates"), () => drawn("text"));
-    this.group = drawn("g", {}, drawn("defs", {}, ...this.fades), this.pane,
+    this.group = named("floor", drawn("defs", {}, ...this.fades), this.pane,
       named("ground", this.grid, ...this.rulers), named("shadow", ...this.shade), marks,
       this.numerals.group);
     this.words = this.texts.group;
@@ -85,6 +86,7 @@ export class FloorPart {
     for (const node of [this.group, this.words, ...this.lines]) {
       node.style.display = on ? "" : "none";
     }
+    if (!on) this.settle();
   }
 
   /**

@@ -3,7 +3,7 @@
 import { isThere } from "./curves.js";
 import { inRoom } from "./frames.js";
 import { textSize } from "./labels.js";
-import { dimmed, faces, hull, pale, shades } from "./solids.js";
+import { OFFSETS, dimmed, faces, hull, pale, shades } from "./solids.js";
 import { drawn, polygon, polyline, put, px, reveal } from "./svg.js";
 import { clip } from "./steps.js";
 import { minus, norm, partway, plus, times, unit } from "./vectors.js";
@@ -243,11 +243,12 @@ class Skin {
    * A gradient of length 1; where it lies is one attribute, which is set in every picture.
    * @param {NonNullable<Face["gradient"]>} light
    */
-  lit({ levels, ...light }) {
-    const ends = "center" in light ? { cx: 0, cy: 0, r: 1 } : { x1: 0, y1: 0, x2: 1, y2: 0 };
-    const gradient = drawn("center" in light ? "radialGradient" : "linearGradient",
+  lit(light) {
+    const round = "center" in light, offsets = round ? OFFSETS.round : OFFSETS.across;
+    const ends = round ? { cx: 0, cy: 0, r: 1 } : { x1: 0, y1: 0, x2: 1, y2: 0 };
+    const gradient = drawn(round ? "radialGradient" : "linearGradient",
       { id: `kl-light-${lights += 1}`, gradientUnits: "userSpaceOnUse", ...ends },
-      ...levels.map((_, k) => drawn("stop", { offset: STOPS_AT[levels.length][k] })));
+      ...offsets.map((offset) => drawn("stop", { offset })));
     this.group.prepend(gradient);
     return gradient;
   }
@@ -264,9 +265,6 @@ function unitOf(light) {
   const { from: [x, y], to: [u, v] } = light;
   return [u - x, v - y, y - v, u - x, x, y];
 }
-
-/** @type {Record<number, number[]>} */
-const STOPS_AT = { 3: [0, 0.5, 1], 5: [0, 0.175, 0.5, 0.825, 1] };   // as in solids.js
 
 // ---- axes of frames ----
 
@@ -309,7 +307,9 @@ export class Axis extends Part {
   constructor(item) {
     super(item);
     this.group.append(this.path);
-    this.hint = drawn("path", { class: `kl-hint kl-hint-${item.style}` });
+    const { gid, style, part, frame, link } = item;
+    this.hint = drawn("path", { id: `${gid}-hint`, class: `kl-hint kl-hint-${style}`,
+      "data-part": part, "data-frame": frame, "data-link": link });
   }
 
   /** @param {boolean} on */

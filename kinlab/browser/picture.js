@@ -18,6 +18,7 @@ import { norm, minus } from "./vectors.js";
 /** @typedef {{ joints?: Set<number>, frames?: Set<string>, links?: Set<number> }} Pointed */
 
 const TRACE_LENGTH = 4000, TRACE_STEP = 0.2;        // points; px
+const SAME_DEPTH = 1e-6;                            // px: strokes that differ less keep their order
 const LABEL_STEPS = 3;                              // towards its place, in each picture
 const UNFRAMED = ["axes", "ghost", "trace"];        // layers that may leave the picture
 const SOLID_SHAPES = ["tube", "ball", "box"], WORD_SHAPES = ["text", "name"];
@@ -210,7 +211,7 @@ export class Picture {
   drawBodies(seen) {
     const { at, size, scene: { floor }, layers } = this;
     const pieces = this.solids.filter(({ on }) => on)
-      .flatMap((solid) => solid.locate(at, floor?.height));
+      .flatMap((solid) => solid.locate(at, this.floor?.on ? floor?.height : undefined));
     for (const piece of pieces) piece.draw(seen);
     const axes = this.axes.filter(({ on }) => on)
       .map((axis) => ({ body: axis.locate(at, seen, size), group: axis.group, axis }));
@@ -247,8 +248,9 @@ export class Picture {
     for (const { item, near } of over) {
       depths.set(item.body, [...(depths.get(item.body) ?? []), near]);
     }
+    const exact = (this.lens?.scale ?? 0) / SAME_DEPTH;
     const mean = new Map([...depths].map(([body, near]) =>
-      [body, near.reduce((sum, d) => sum + d, 0) / near.length]));
+      [body, Math.floor(exact * near.reduce((sum, d) => sum + d, 0) / near.length + 0.5)]));
     const far = (/** @type {Stroke} */ { item }) => mean.get(item.body) ?? 0;
     arrange(this.layers.over, over.sort((a, b) => far(a) - far(b)).map(({ group }) => group));
   }
@@ -261,7 +263,7 @@ export class Picture {
     const labels = [...shown.map((words) => words.locate(at, seen, size)), ...floor?.labels ?? []];
     const strokes = [...this.axes, ...this.strokes].filter(({ on }) => on)
       .flatMap(({ stroke }) => stroke ?? []);
-    const solids = this.solids.flatMap((solid) => solid.bars(seen));
+    const solids = this.solids.filter(({ on }) => on).flatMap((solid) => solid.bars(seen));
     const { places, restless } = place(labels, strokes, solids, [], size, LABEL_STEPS);
     shown.forEach((words, k) => words.draw(places[k]));
     floor?.writeCoordinates(places.slice(shown.length));

@@ -41,9 +41,9 @@ Paint = TypedDict("Paint", {"stroke": str, "stroke-width": float, "stroke-linejo
                             "cap": bool, "faded": bool}, total=False)
 
 
-def _paint(stroke: str, width: float, *, fill: str = "", join: str = "round",
+def _paint(stroke: str, width: float, *, fill: str = "",
            dash: tuple[float, ...] = ()) -> Paint:
-    paint: Paint = {"stroke": stroke, "stroke-width": width, "stroke-linejoin": join}
+    paint: Paint = {"stroke": stroke, "stroke-width": width, "stroke-linejoin": "round"}
     if fill:
         paint["fill"] = fill
     if dash:
@@ -89,10 +89,6 @@ PAINTS: dict[str, Paint] = {
     "faint": _paint("#dcbccc", 1.2),                          # a way still to go
     "ghost": _paint(FAINT, 6),
     "link": _paint(STEEL, 8),
-    "rod": _paint(STEEL, 5),
-    "joint": _paint(INK, 1.0, fill="#b4c1cf"),
-    "cap": _paint(INK, 1.0, fill=PALE),
-    "gripper": _paint(INK, 3.2, join="miter"),
     "axis": _paint(INK, 1, dash=(6, 3, 1.5, 3)),
     "dashed": _paint(STEEL, 1.4, dash=(5.6, 4.2)),
     "vector": _paint(INK, 2, fill=INK),

@@ -54,6 +54,7 @@ _TOUCH = 0.05                   # of a joint's radius: what is sunk by less lies
 _COME = 13.0                    # px: from where words come that stand beside a point
 _KEPT_OFF = ("arc", "line")     # lines that words keep off,
 _PIECE = 4                      # in pieces of so many steps
+_SAME = 1e-6                    # px: strokes whose depths differ less keep their order
 _PANE = 0.7                     # how much of what lies beyond the floor is covered
 _OPEN, _CLOSED = (LINE, TRACE, SWEEP, WAY), (ARROW, FACE, HULL, AREA, PATCH)
 _STROKES = (*_OPEN, *_CLOSED)
@@ -148,9 +149,9 @@ class _Still:
         below, over = ([item for item in strokes if (item.body >= 0) is above]
                        for above in (False, True))
         under = [*map(self._dots, self._of([CLOUD])), *map(self._stroke, below)]
-        return [*sunk, *self._ground(pieces, drops, bool(sunk)), *under,
-                *standing, *self._hints(), *map(self._stroke, self._far_to_near(over)),
-                *self._words(pieces, drops)]
+        numbers, *words = self._words(pieces, drops)
+        return [*sunk, *self._ground(pieces, drops, bool(sunk)), numbers, *under,
+                *standing, *self._hints(), *map(self._stroke, self._far_to_near(over)), *words]
 
     def _of(self, shapes: Sequence[str]) -> list[Item]:
         return [item for item in self.items if item.shape in shapes]
@@ -288,11 +289,11 @@ class _Still:
         yield Drawn("shadow", [Mark(outlines, soft, closed=True, opacity=0.09),
                                Mark(outlines, {**soft, "stroke": "none"}, closed=True,
                                     opacity=0.12)])
-        stroke: Paint = {"stroke": COLOURS["point"].line, "stroke-width": 1.0,
+        stroke: Paint = {"stroke": COLOURS["point"].line, "stroke-width": 1.4,
                          "stroke-linejoin": "round"}
-        dotted: Paint = {**stroke, "stroke-dasharray": (2, 3)}
-        yield Drawn("foot", [mark for one in drops for mark in (
-            Mark(list(one.guides), dotted), Mark([one.foot], stroke, closed=True))])
+        dotted: Paint = {**stroke, "stroke-width": 1.0, "stroke-dasharray": (2, 3)}
+        yield Drawn("foot", [Mark([line for one in drops for line in one.guides], dotted),
+                             Mark([one.foot for one in drops], stroke, closed=True)])
 
     # ---- strokes and words ----
 
@@ -322,10 +323,11 @@ class _Still:
         for item in items:
             near = (self._room(item) @ self.lens.near).mean()
             depths.setdefault(item.body, []).append(item.lift + float(near))
-        return sorted(items, key=lambda item: float(np.mean(depths[item.body])))
+        exact = self.lens.scale / _SAME
+        return sorted(items, key=lambda item: np.floor(exact * np.mean(depths[item.body]) + 0.5))
 
     def _words(self, pieces: list[_Piece], drops: list[Drop]) -> Iterator[Drawn]:
-        """Names and coordinates where they have room, then the numbers on the rulers."""
+        """The numbers on the rulers that others leave room for, then names and coordinates."""
         items = self._of([TEXT, NAME])
         coordinates = [words for one in drops for words in one.texts]
         labels = [*map(self._label, items),
@@ -333,20 +335,18 @@ class _Still:
         places, _ = place(labels, self._strokes(),
                           [self._bar(piece.body) for piece in pieces if piece.faces], [],
                           self.size)
+        yield self._numbers([(spot.x, spot.y, label.w, label.h)
+                             for label, spot in zip(labels, places) if spot])
         for item, spot in zip(items, places):
             if spot:
                 yield Drawn(item.gid, _lettering(item, spot.leader, (spot.x, spot.y)), item)
         yield Drawn("coordinates", [
             _text(words.text, (spot.x, spot.y), {"fill": INK})
             for words, spot in zip(coordinates, places[len(items):]) if spot])
-        yield from self._numbers([(spot.x, spot.y, label.w, label.h)
-                                  for label, spot in zip(labels, places) if spot])
 
-    def _numbers(self, taken: list) -> Iterator[Drawn]:
-        if not self.floor:
-            return
-        numbers = give_way(self._seen_ground.numbers, taken)
-        yield Drawn("numbers", [
+    def _numbers(self, taken: list) -> Drawn:
+        numbers = give_way(self._seen_ground.numbers, taken) if self.floor else []
+        return Drawn("numbers", [
             replace(_text(one.words.text, one.words.place, {"fill": COLOURS[one.axis].words}),
                     weight="normal", opacity=one.opacity) for one in numbers if one.opacity])
 
@@ -408,7 +408,8 @@ def _fading(pieces: tuple[np.ndarray, np.ndarray], colour: str, width: float) ->
 
 def _lettering(item: Item, leader: Sequence | None, at: tuple[float, float]) -> list[Mark]:
     paint = PAINTS[item.style]
-    thin: Paint = {"stroke": "#5b6770", "stroke-width": 0.8, "stroke-linejoin": "round"}
+    thin: Paint = {"stroke": paint.get("stroke", "#5b6770"), "stroke-width": 0.8,
+                   "stroke-linejoin": "round"}
     words: Paint = {"fill": paint.get("words") or paint.get("fill", INK)}
     lines = [Mark([np.array(leader)], thin)] if leader else []
     return [*lines, _text(item.text, at, words)]
