@@ -61,11 +61,11 @@ def _short(data: Any) -> Any:
     return int(data) if data.is_integer() else float(f"{data:.13g}")
 
 
-def save(path: Any, title: str, view: str) -> Path:
+def save(path: Any, title: str, view: str, question: str = "") -> Path:
     """Write the page of one view, replacing a file of this name."""
     target = _target(path)
-    text = _filled("page.html.j2", title=title, view=view, style=bundle.page_style(),
-                   script=bundle.script("host_page.js"))
+    text = _filled("page.html.j2", title=title, question=question, view=view,
+                   style=bundle.page_style(), script=bundle.script("host_page.js"))
     try:
         target.write_bytes(text.encode("utf-8", "replace"))  # a name may hold half a character
     except (OSError, ValueError) as error:  # ValueError: a name with a zero byte

@@ -143,7 +143,7 @@ class LiveView(anywidget.AnyWidget):
 
     # ---- pages ----
 
-    def save_html(self, path: str | os.PathLike) -> Path:
+    def save_html(self, path: str | os.PathLike, question: str = "") -> Path:
         """Write the view, as it stands now, as one page that moves without Jupyter and network.
 
         The page holds all it needs and may be opened from a disk, put on a web server or into a
@@ -154,6 +154,8 @@ class LiveView(anywidget.AnyWidget):
         ----------
         path : str or path
             Where to write it; ends in ``.html``.
+        question : str
+            What to find out with it; stands under the title, beside the picture.
 
         Returns
         -------
@@ -162,7 +164,8 @@ class LiveView(anywidget.AnyWidget):
         Raises
         ------
         ValueError
-            If the name does not end in ``.html``, or the file cannot be written there.
+            If the name does not end in ``.html``, or the file cannot be written there; if the
+            question is not a line of text.
 
         Examples
         --------
@@ -172,7 +175,8 @@ class LiveView(anywidget.AnyWidget):
         ...     ArmView(robots.alpha_ii()).save_html(folder + "/arm.html").name
         'arm.html'
         """
-        return page.save(path, self._scene.name, self.html(address=True))
+        inputs.line("question", question)
+        return page.save(path, self._scene.name, self.html(address=True), question)
 
     def html(self, *, address: bool = False) -> str:
         """The view as a piece of a page that has kinlab's script and style (`bundle`)."""

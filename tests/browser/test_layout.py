@@ -35,6 +35,7 @@ def folder(tmp_path_factory):
     for name in SHOWN:
         VIEWS[name]().save_html(folder / f"{name}.html")
     VIEWS["order"]().save_html(folder / "order.html")
+    VIEWS["alpha_ii"]().save_html(folder / "asked.html", question="Which way does x₅ point?")
     overlapping_ends().save_html(folder / "ends.html")
     return folder
 
@@ -125,6 +126,14 @@ def test_a_wide_page_is_filled_and_all_is_beside_the_picture(visit):
     for part in ("h1", ".kl-joints", ".kl-pose", "math"):
         assert box(view, part)["x"] > picture["right"], part
     assert box(view, ".kl-below")["bottom"] < 1080 and box(view, ".kl-toolbar")["bottom"] < 1080
+
+
+@pytest.mark.parametrize("width", [1280, 1920])
+def test_a_question_stands_beside_the_picture(visit, width):
+    view = visit("asked", width)
+    question = view.get_by_text("Which way does x₅ point?").bounding_box()
+    assert question["x"] > box(view, ".kl-picture")["right"]
+    assert box(view, "h1")["bottom"] <= question["y"] < box(view, ".kl-joints")["y"]
 
 
 @pytest.mark.parametrize("name", ["alpha_ii", "intelledex_660t", "limits", "solve"])

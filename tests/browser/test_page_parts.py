@@ -87,6 +87,17 @@ def test_the_closed_form_keeps_the_textbooks_letters(tmp_path):
 EVIL = "</script><script>alert(1)</script><!-- \"'&"
 
 
+def test_a_question_stands_under_the_title(tmp_path):
+    view = kl.ArmView(kl.robots.two_link())
+    text = view.save_html(tmp_path / "arm.html", question=f"Where? {EVIL}").read_text("utf-8")
+    reader = Reader(text)
+    assert f"Where? {EVIL}" in "".join(reader.words) and reader.tags.count("script") == 2
+    assert text.index("<h1>") < text.index('<p class="kl-question">') < text.index("kl-view\"")
+    assert 'class="kl-question"' not in write(view, tmp_path)
+    with pytest.raises(ValueError, match="question: expected"):
+        view.save_html(tmp_path / "arm.html", question=3)
+
+
 def test_names_cannot_break_the_page(tmp_path):
     arm = kl.Arm([kl.revolute(a=1, name=EVIL)], name=EVIL, unit="</script>")
     text = write(kl.ArmView(arm), tmp_path)
