@@ -10,7 +10,6 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.colors import ListedColormap, LogNorm
 from matplotlib.figure import Figure
-from matplotlib.patheffects import withStroke
 
 from ..arms import inputs
 from ..arms.kinematics import forward_kinematics, link_frames, reach
@@ -19,7 +18,7 @@ from .paints import COLOURS
 
 # Told apart by line style too.
 INNER, OUTER = COLOURS["second"].line, COLOURS["first"].line
-FILL, ARM = "#c9d3dd", "#4a525b"
+FILL, ARM, LINK = "#cfe6f6", "#39434d", "#b3bec9"  # what is reached; edge and face of the arm
 _FAR = "distance from the base's axis"
 
 See = Callable[[np.ndarray], np.ndarray]  # points of the room as two numbers each
@@ -136,6 +135,8 @@ def _figure(title: str, names: tuple[str, str], unit: str) -> tuple[Picture, Axe
     labels = [f"{name} ({unit})" for name in names]
     ax = fig.add_subplot(title=title, xlabel=labels[0], ylabel=labels[1])
     ax.set_aspect("equal", adjustable="box")
+    ax.use_sticky_edges = False  # cells, too, keep off the frame
+    ax.margins(0.04)
     return fig, ax
 
 
@@ -190,15 +191,16 @@ def _cells(ax: Axes, points: np.ndarray, side: float) -> None:
 
 
 def _arm(ax: Axes, reached: Workspace, see: See) -> None:
-    """The arm at home, faint, as a line from joint to joint."""
+    """The arm at home, from joint to joint."""
     arm = reached.arm
     joints = np.concatenate([link_frames(arm, arm.home)[:, :3, 3],
                              forward_kinematics(arm, arm.home)[None, :3, 3]])
     shares = np.linspace(0, 1, 20)[:, None]
-    line = np.concatenate([a + shares * (b - a) for a, b in pairwise(joints)])
-    rim = [withStroke(linewidth=5, foreground="white", alpha=0.6)]
-    ax.plot(*see(line).T, color=ARM, linewidth=2, alpha=0.7, path_effects=rim)
-    ax.plot(*see(joints).T, "o", color=ARM, markersize=5, alpha=0.7, label="arm at home")
+    line = see(np.concatenate([a + shares * (b - a) for a, b in pairwise(joints)])).T
+    for width, colour in ((8, "white"), (6.5, ARM), (4.5, LINK)):  # a rim, an edge, the links
+        ax.plot(*line, color=colour, linewidth=width, solid_capstyle="round")
+    ax.plot(*see(joints).T, "o", color=LINK, markeredgecolor=ARM, markersize=7,
+            label="arm at home")
 
 
 def _sight(reached: Workspace) -> tuple[tuple[str, str], See]:
