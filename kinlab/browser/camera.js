@@ -8,7 +8,7 @@ import { dot, minus, plus, times } from "./vectors.js";
 /** @typedef {[middle: Triple, radius: number][]} Extents */
 /** @typedef {number[]} Span from low to high */
 /**
- * @typedef {Pick<Scene, "presets" | "preset" | "center" | "radius" | "place" | "size" | "fit">}
+ * @typedef {Pick<Scene, "presets" | "preset" | "center" | "radius" | "fit">}
  *   Framed what a scene says of its frame
  */
 
@@ -75,14 +75,12 @@ const ahead = (gaze, d) => Math.max(NEAREST, 1 - gaze.closer * dot(d, gaze.near)
  * @type {(scene: Framed, camera: Camera, gaze: Gaze, size: number[]) =>
  *   { scale: number, shrunk: number, heart: number[] }}
  */
-function standing({ radius, place, size: drawn }, camera, { closer }, size) {
-  const whole = Math.min(size[0] / drawn[0], size[1] / drawn[1]);   // the drawn picture in this
-  const off = place.map((at, k) => whole * (at - drawn[k] / 2));
-  const room = Math.min(...off.some((by) => by) ? drawn.map((side) => whole * side) : size);
+function standing({ radius }, camera, { closer }, size) {
+  const room = Math.min(...size);
   // In perspective a ball looks larger than the circle round its middle.
   const ball = radius / Math.sqrt(1 - (closer * radius) ** 2);
   return { scale: camera.zoom * Math.max(room / 2 - EDGE, room / 4) / ball, shrunk: 1,
-           heart: off.map((by, k) => size[k] / 2 + by) };
+           heart: size.map((side) => side / 2) };
 }
 
 /**

@@ -12,7 +12,7 @@ import { minus, norm, partway, plus, times, unit } from "./vectors.js";
 /** @import { Label, LabelState, Placed } from "./labels.js" */
 /** @typedef {Required<Item>} Whole */
 
-const USUAL = { body: -1, layer: "", text: "", lift: 0, paper: false, size: [], part: "", frame: "",
+const USUAL = { body: -1, layer: "", text: "", lift: 0, size: [], part: "", frame: "",
                 joint: null, link: null, when: null };
 
 /** @type {(item: Item) => Whole} */

@@ -23,7 +23,6 @@ const LABEL_STEPS = 3;                              // towards its place, in eac
 const UNFRAMED = ["axes", "ghost", "trace"];        // layers that may leave the picture
 const SOLID_SHAPES = ["tube", "ball", "box"], WORD_SHAPES = ["text", "name"];
 const FRAME_PARTS = ["frame", "label"];
-const PAPER = { azimuth: -90, elevation: 90, zoom: 1 };   // x to the right, y up
 
 export class Picture {
   /**
@@ -39,7 +38,7 @@ export class Picture {
   at = [];
 
   /** @type {Camera} */
-  camera = PAPER;
+  camera = { azimuth: 0, elevation: 0, zoom: 1 };
 
   /** @type {Lens | null} */
   lens = null;
@@ -169,7 +168,7 @@ export class Picture {
   extents(at, q) {
     const { floor, fit, motions } = this.scene;
     const bodies = this.solids.flatMap((solid) => solid.balls(at));
-    const beside = this.strokes.filter(({ item }) => !item.paper && !UNFRAMED.includes(item.layer))
+    const beside = this.strokes.filter(({ item }) => !UNFRAMED.includes(item.layer))
       .flatMap(({ item }) => cornersOf(item, { motions, all: at, q }).map((point) => [point, 0]));
     const feet = (floor?.drops ?? []).flatMap((k) => {
       const [x, y, z] = at[k][3];
@@ -188,13 +187,12 @@ export class Picture {
     const at = this.at = frames(scene.motions, q), middle = focus == null ? center : at[focus][3];
     const seen = this.lens = this.steady.through(
       lens(scene, this.camera, size, this.extents(at, q), this.home, middle));
-    const paper = lens({ ...scene, fit: null }, PAPER, size, [], [], middle);
     this.follow(at[scene.tip][3]);
     for (const part of this.heeding) part.heed(q);
     for (const stroke of this.strokes) {
       const room = stroke.item.shape === "trace" ? this.path
         : cornersOf(stroke.item, { motions: scene.motions, all: at, q });
-      stroke.draw(stroke.item.paper ? paper : seen, room);
+      stroke.draw(seen, room);
     }
     for (const cloud of this.clouds) cloud.draw(at, seen, center, scene.radius);
     const { shading, sunk } = this.drawBodies(seen);

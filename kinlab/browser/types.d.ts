@@ -57,7 +57,6 @@ export interface Item {
   layer?: string;
   text?: string;
   lift?: number;
-  paper?: boolean;
   size?: number[];
   part?: string;
   frame?: string;
@@ -204,7 +203,6 @@ export interface Scene {
   tip: number;
   center: Triple;
   focus: number | Nothing;
-  place: [right: number, down: number];
   scale: number;
   radius: number;
   size: [width: number, height: number];

@@ -126,14 +126,11 @@ def _gaze(scene: Scene, camera: Camera, middle: Numbers) -> _Gaze:
 def _standing(scene: Scene, camera: Camera, gaze: _Gaze,
               size: Sequence[float]) -> tuple[float, float, np.ndarray]:
     """The ball round a scene just fits the picture."""
-    drawn, sides = np.array(scene.size), np.array(size)
-    whole = np.min(sides / drawn)  # the drawn picture in this one
-    off = whole * (np.array(scene.heart) - drawn / 2)
-    room = np.min(whole * drawn if off.any() else sides)
+    room = min(size)
     # In perspective a ball looks larger than the circle round its middle.
     ball = scene.radius / np.sqrt(1 - (gaze.closer * scene.radius) ** 2)
     scale = camera.zoom * max(room / 2 - _MARGIN, room / 4) / ball
-    return float(scale), 1.0, sides / 2 + off
+    return float(scale), 1.0, np.array(size) / 2
 
 
 def _fitted(scene: Scene, fit: Fit, camera: Camera, gaze: _Gaze, size: Sequence[float],

@@ -175,8 +175,7 @@ class Item:
     shows it ('' for always), and items of one `body` stay together when nearer ones are
     laid over farther ones (body -1 lies under everything, in its order). `lift` brings a body
     nearer to the viewer than it is (length unit): a joint covers the link that ends in it,
-    frames lie on the arm and their names on both, so that they stay readable. What is on `paper`
-    stays where it is however the picture is turned: x to the right, y up.
+    frames lie on the arm and their names on both, so that they stay readable.
 
     `part`, `frame`, `joint` and `link` say what it is a picture of: a kind of thing such as
     "joint", the name of a frame, the number of a joint from 1, and of the link that it moves
@@ -192,7 +191,6 @@ class Item:
     layer: str = ""
     text: str = ""
     lift: float = 0.0
-    paper: bool = False
     size: tuple[float, ...] = ()
     part: str = ""
     frame: str = ""
@@ -253,7 +251,6 @@ class Scene:
     preset: str = ""                          # to begin with; the first one if left out
     readings: tuple[Reading, ...] = ()
     focus: int | None = None
-    place: tuple[float, float] | None = None  # of the centre on the picture (px), if not its middle
     name: str = ""
     knobs: tuple[Knob, ...] = ()
     start: tuple[float, ...] | None = None    # values of the knobs; their homes if left out
@@ -276,11 +273,6 @@ class Scene:
     def wide(self) -> bool:
         """Whether the picture wants the whole width of the page."""
         return self.size[0] > SIZE[0]
-
-    @property
-    def heart(self) -> tuple[float, float]:
-        """Where the centre lies on the picture (px)."""
-        return self.place or (self.size[0] / 2, self.size[1] / 2)
 
     def frames(self, q: Numbers) -> np.ndarray:
         """Pose of every frame in the room, shape (len(motions) + 1, 4, 4)."""
@@ -330,7 +322,7 @@ class Scene:
             "items": [item.data() for item in self.items],
             "paints": {style: PAINTS[style] for style in self._styles()},
             "readings": [reading.data() for reading in self.readings],
-            "place": self.heart, "preset": self.seen_from,
+            "preset": self.seen_from,
             "knobs": [knob.data() for knob in self.knobs],
             "home": self.begin, "zero": [knob.within(0.0) for knob in self.knobs],
             "layers": [asdict(switch) for switch in self.switches],

@@ -98,7 +98,6 @@ class Sketch:
         self.follows = False
         self.focus: int | None = None
         self.size = SIZE
-        self.place: tuple[float, float] | None = None
         self.presets = dict(PLANAR if planar else SPATIAL)
         self.start: list[float] = []  # values of the knobs; their homes if there are none
         self.switches: list[Switch] = []
@@ -306,7 +305,7 @@ class Sketch:
         scene = Scene(
             name=self.name, motions=tuple(self.steps), items=tuple(self.items), tip=self.tip,
             center=self.center, radius=self.radius, size=self.size,
-            focus=self.focus, place=self.place, presets=dict(self.presets),
+            focus=self.focus, presets=dict(self.presets),
             knobs=tuple(self.knobs), start=tuple(self.start) or None,
             switches=tuple(self.switches), pose=self.pose, target=self.target,
             poses=tuple(tuple(map(float, pose)) for pose in self.poses),

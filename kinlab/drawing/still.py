@@ -44,7 +44,6 @@ from .scene import (
 )
 from .solids import Across, Face, Round, faces, hull, pale, shades
 
-_PAPER = Camera(-90.0, 90.0)    # x to the right, y up
 _AXIS = (0.075, 30.0, 54.0)     # length of an arrow: of the smaller side; at least; at most (px)
 _PER_SHARED = 0.36              # longer for each frame at the same origin
 _SKIN = 1.04                    # where an arrow begins, in radii of the solid that it comes out of
@@ -139,7 +138,6 @@ class _Still:
             switch.layer == "floor" for switch in scene.switches) else None
         camera, middle = Camera(*scene.presets[preset]), scene.middle(self.frames)
         self.lens = lens(scene, camera, size, self._extents(q), self._extents(scene.begin), middle)
-        self.paper = lens(replace(scene, fit=None), _PAPER, size, middle=middle)
 
     def painted(self) -> list[Drawn]:
         pieces = [self._lit(piece) for item in self._of(SOLIDS) for piece in self._pieces(item)]
@@ -173,7 +171,7 @@ class _Still:
                 radii = item.size if item.shape != BOX else (
                     float(np.linalg.norm(ends[2] - ends[0])),) * 2
                 balls += zip(ends, radii)
-            elif item.shape in _STROKES and not item.paper and item.layer not in _UNFRAMED:
+            elif item.shape in _STROKES and item.layer not in _UNFRAMED:
                 balls += ((point, 0.0) for point in corners(item, self.scene.motions, frames, q))
         for k in floor.drops if floor else ():
             assert floor
@@ -298,8 +296,7 @@ class _Still:
     # ---- strokes and words ----
 
     def _stroke(self, item: Item) -> Drawn:
-        seen = self.paper if item.paper else self.lens
-        points = seen.see(self._room(item))[:, :2]
+        points = self.lens.see(self._room(item))[:, :2]
         closed = item.shape in _CLOSED
         paint = PAINTS[item.style].copy()
         if not closed:

@@ -27,13 +27,12 @@ def _framing(rng: np.random.Generator, *, fits: bool, perspective: bool) -> dict
                      "eye": made.eye(points).tolist(), "turn": made.turn(points).tolist()}}
 
 
-FRAMED = ("presets", "preset", "center", "radius", "place", "size", "fit")
+FRAMED = ("presets", "preset", "center", "radius", "fit")
 
 
 def _framed(rng: np.random.Generator, fits: bool) -> Scene:
     center, middle = (tuple(_numbers(rng, 3).tolist()) for _ in range(2))
-    place = (200.0, 260.0) if rng.random() < 0.5 else None
-    return Scene((), (), 0, center, 2.5, place=place, fit=Fit(middle, 1.2, 0.1) if fits else None)
+    return Scene((), (), 0, center, 2.5, fit=Fit(middle, 1.2, 0.1) if fits else None)
 
 
 def _camera(rng: np.random.Generator, perspective: bool) -> Camera:

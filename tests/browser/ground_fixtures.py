@@ -88,7 +88,7 @@ GROUNDS = {  # azimuth, elevation, perspective; floor; point of a drop line
     "upside down": ((-90, -90, False), Floor(0.0, 0.5, 2.5, (), 2), (0.3, 0.1, 0.5)),
 }
 LENS_SCENE = Scene((), (), 0, (0.2, 0.1, 0.3), 1.6)
-FRAMING = ("center", "radius", "size", "place", "presets", "preset", "fit")
+FRAMING = ("center", "radius", "size", "presets", "preset", "fit")
 
 
 def floor() -> dict:

@@ -5,7 +5,7 @@ import { test } from "node:test";
 
 import { lens } from "../../../kinlab/browser/camera.js";
 
-const scene = { presets: { "3-D": [-60, 24] }, preset: "3-D", size: [400, 300], place: [200, 150],
+const scene = { presets: { "3-D": [-60, 24] }, preset: "3-D",
                 center: [1, 2, 3], radius: 14, fit: null };
 const TOP = [-90, 90], FRONT = [-90, 0], SIDE = [0, 0];
 const read = (name) => JSON.parse(readFileSync(new URL(`${name}.json`, import.meta.url), "utf8"));
@@ -61,14 +61,6 @@ test("the ball round a scene fits pictures of any size", () => {
   near([from(TOP, {}, scene, [580, 860]).scale], [20]);
   near(from(TOP, {}, scene, [580, 860]).see([2, 2, 3]), [310, 430, 1]);
   near(from(TOP, { zoom: 3 }, scene, [30, 20]).see([2, 2, 3]), [15 + 3 * 5 / 14, 10, 1]);
-});
-
-test("a scene that stands beside its picture's middle is shown as a whole", () => {
-  const aside = { ...scene, place: [150, 160] };
-  near(from(TOP, {}, aside).see([2, 2, 3]), [160, 160, 1]);
-  const wide = from(TOP, {}, aside, [1200, 600]);   // as 800 x 600, and room to both sides
-  near([wide.scale], [290 / 14]);
-  near(wide.see([1, 2, 3]), [600 - 100, 300 + 20, 1]);
 });
 
 for (const [k, made] of read("camera").entries()) {
