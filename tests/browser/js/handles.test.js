@@ -163,6 +163,16 @@ test("three slides follow in the plane of the picture", () => {
   near(pulled(scene, handle, [1, 0.5, 0.2], CORNER, to), to);
 });
 
+test("an arm in space keeps its tip as near to the viewer as it was", () => {
+  const bend = (joint) => ({ kind: "rotate", axis: 1, joint });
+  const scene = { motions: [turn(0), bend(1), along(0, 1), bend(2), along(0, 1)], radius: 2,
+                  knobs: [angle(), angle(), angle()] };
+  const handle = { name: "tip", point: [5, 0, 0, 0], knobs: [0, 1, 2], unit: "" };
+  const end = (q) => frames(scene.motions, q)[5][3], q = [0.4, -0.9, 1.1], from = end(q);
+  const to = from.map((v, k) => v - 0.4 * CORNER.right[k] + 0.3 * CORNER.up[k]);
+  near(end(pulled(scene, handle, q, CORNER, to)), to, 1e-5);
+});
+
 test("a knob that carries motions out one after the other follows through both", () => {
   const scene = { motions: [slide(0, 0, { gain: 2, start: 0 }), turn(0, { gain: 1, start: 1 })],
                   knobs: [length(0, 2)], radius: 3 };
