@@ -240,7 +240,7 @@ def test_the_mouse_orbits_zooms_and_resets(live):
     (view,) = live(SHOW)
     page, home = view.page, [0, 0, 0, -90, 0]
     box = picture(view).bounding_box()
-    x, y = box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
+    x, y = box["x"] + box["width"] / 2, box["y"] + 0.8 * box["height"]
     page.mouse.move(x, y)
     page.mouse.down()
     page.mouse.move(x + 40, y + 10, steps=4)
