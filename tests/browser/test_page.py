@@ -188,7 +188,8 @@ def test_on_a_phone_everything_fits_and_fingers_work(visit):
     assert slider["height"] >= 40  # wide enough for a thumb
     page.touchscreen.tap(slider["x"] + 0.75 * slider["width"], slider["y"] + slider["height"] / 2)
     assert fields(view)[0] > 50
-    wire, (x, y) = page.context.new_cdp_session(page), (box["x"] + 150, box["y"] + 0.8 * box["height"])
+    wire = page.context.new_cdp_session(page)
+    x, y = box["x"] + 150, box["y"] + 0.8 * box["height"]  # beside the arm
 
     def touch(kind, *points):
         wire.send("Input.dispatchTouchEvent", {"type": f"touch{kind}", "touchPoints": [
