@@ -1,7 +1,7 @@
 """Read what a live view draws, and say where it should stand by formulas typed here.
 
 Nothing here goes through kinlab/drawing/figure.py or kinlab/browser/picture.js: only the arm's
-frames, the scene's centre and scale, and an orthographic projection.
+frames and an orthographic projection; of Python's framing only the scale is taken.
 """
 from __future__ import annotations
 
@@ -14,8 +14,10 @@ from playwright.sync_api import Locator, Page, expect
 
 import kinlab as kl
 from kinlab.drawing.arm_scene import arm_scene
+from kinlab.drawing.camera import Camera, lens
+from kinlab.drawing.still import _Still
 
-PIXELS = 0.02
+PIXELS = 0.16  # a path has one decimal
 READ = """view => {
     const svg = view.querySelector('.kl-picture svg'), text = node => node.textContent;
     const named = [...svg.querySelectorAll('g[id]')].filter(g => g.firstElementChild);
@@ -24,6 +26,9 @@ READ = """view => {
         .map(g => [g.id, take(g.firstElementChild)]));
     return {
         paths: of('path', node => node.getAttribute('d')),
+        arrows: Object.fromEntries([...svg.querySelectorAll('path.kl-hint')]
+            .map(path => [path.id, path.getAttribute('d') ?? ''])),
+        size: [svg.viewBox.baseVal.width, svg.viewBox.baseVal.height],
         texts: of('text', node => [Number(node.getAttribute('x')), Number(node.getAttribute('y'))]),
         shown: Object.fromEntries(named.map(g => [g.id, getComputedStyle(g).display !== 'none'])),
         order: named.map(g => g.id),
@@ -71,26 +76,53 @@ def projected(scene, points, camera) -> np.ndarray:
 
 
 def assert_picture(seen: dict, robot, q, camera) -> None:
-    """Frames, names, links and tool stand where the arm's kinematics puts them."""
-    arm, scene = robot(), scene_of(robot)
+    """Frames and tool stand where the arm's kinematics puts them, seen from this camera.
+
+    Where the picture's middle is and how large the arm is drawn is the framing's business: one
+    place and one scale must fit all frames, and the scale must be the one that Python finds.
+    """
+    arm = robot()
     frames = dict(zip(map(str, range(arm.n + 1)), kl.link_frames(arm, q)))
     tool = kl.forward_kinematics(arm, q)
     if "frame-E-x" in seen["paths"]:
         frames["E"] = tool
-    lengths = {item.gid: max(item.points[-1][1:]) for item in scene.items}
-    worst = {}
+    drawn = {name: [numbers(seen["arrows"][f"frame-{name}-{letter}-hint"])[[0, 3]]
+                    for letter in "xyz"] for name in frames}
+    right, up = _screen(*camera[:2])
+    flat = np.array([[right @ T[:3, 3], -up @ T[:3, 3]] for T in frames.values()]
+                    + [[right @ tool[:3, 3], -up @ tool[:3, 3]]])
+    marked = np.array([axes[0][0] for axes in drawn.values()] + [numbers(seen["paths"]["tool"])[1]])
+    scale, place = _fitted(flat, marked)
+    assert np.abs(scale * flat + place - marked).max() < PIXELS, (scale * flat + place - marked)
+    assert abs(scale / _scale(robot, q, camera, seen["size"]) - 1) < 2e-3
     for name, T in frames.items():
-        for k, letter in enumerate("xyz"):
-            at = lambda gid, T=T, k=k: T[:3, 3] + lengths[gid] * T[:3, k]  # noqa: E731
-            arrow, label = f"frame-{name}-{letter}", f"label-{name}-{letter}"
-            want = projected(scene, [T[:3, 3], at(arrow), at(label)], camera)[:, :2]
-            drawn = numbers(seen["paths"][arrow])
-            worst[arrow] = np.abs(drawn[[0, 3]] - want[:2]).max()
-            worst[label] = abs(seen["texts"][label][0] - want[2, 0])
-            assert abs(seen["texts"][label][1] - want[2, 1]) < 6
-    tip = projected(scene, tool[:3, 3], camera)[:, :2]
-    worst["tool"] = np.abs(numbers(seen["paths"]["tool"]) - tip).max()
-    assert max(worst.values()) < PIXELS, max(worst.items(), key=lambda pair: pair[1])
+        for k, (tail, tip) in enumerate(drawn[name]):
+            way, axis = tip - tail, np.array([right @ T[:3, k], -up @ T[:3, k]])
+            assert np.abs(tail - drawn[name][0][0]).max() < PIXELS
+            assert abs(way[0] * axis[1] - way[1] * axis[0]) < PIXELS, (name, k)
+            assert way @ axis >= -PIXELS
+            assert np.linalg.norm(way) > 15 * np.linalg.norm(axis) - PIXELS, (name, k)
+
+
+def _screen(azimuth, elevation):
+    """The directions to the right and up on the picture, in the room."""
+    a, e = np.radians([azimuth, elevation])
+    return (np.array([-np.sin(a), np.cos(a), 0]),
+            np.array([-np.sin(e) * np.cos(a), -np.sin(e) * np.sin(a), np.cos(e)]))
+
+
+def _fitted(flat, marked):
+    """The scale and the place that bring points onto marks best."""
+    off, to = flat - flat.mean(axis=0), marked - marked.mean(axis=0)
+    scale = float((off * to).sum() / (off * off).sum())
+    return scale, marked.mean(axis=0) - scale * flat.mean(axis=0)
+
+
+def _scale(robot, q, camera, size):
+    scene = scene_of(robot)
+    shown = _Still(scene, q, scene.seen_from, scene.shown, tuple(size))
+    return lens(scene, Camera(*camera), tuple(size), shown._extents(q),
+                shown._extents(scene.begin), scene.middle(scene.frames(q))).scale
 
 
 def assert_table(seen: dict, robot, q, decimals: int) -> None:

@@ -7,6 +7,7 @@ from reading import (
     assert_picture,
     assert_table,
     from_units,
+    numbers,
     read,
     settle,
     wait_for_kernel,
@@ -19,8 +20,8 @@ ALPHA = kl.robots.alpha_ii
 SHOW = "import kinlab as kl, numpy as np\nview = kl.ArmView(kl.robots.alpha_ii())\nview"
 THREE_D = (-60, 24, 1)
 BUTTONS = ["Home", "Zero", "Step back", "Play", "Step forward", "Full screen", "3-D", "Top",
-           "Front", "Side", "Perspective", "Frames", "Labels", "Joint axes", "Trace",
-           "Ghost"]
+           "Front", "Side", "Perspective", "Frames", "Labels", "Joint axes", "Names", "Floor",
+           "Trace", "Ghost", "Which frames"]
 
 
 def button(view, name):
@@ -211,15 +212,24 @@ def test_the_trace_follows_the_tool(live):
     (view,) = live(SHOW)
     button(view, "Trace").click()
     slider = view.get_by_role("slider").nth(0)
-    tips = []
     for _ in range(4):
         slider.press("ArrowRight")
         settle(view.page)
-        tips.append(read(view)["paths"]["tool"].split(" L ")[1])
-    assert read(view)["paths"]["trace"].split(" L ")[1:] == tips
+    seen = read(view)["paths"]
+    went = numbers(seen["trace"])
+    assert len(went) == 5
+    np.testing.assert_allclose(went[-1], numbers(seen["tool"])[1], atol=0.11)
+    assert np.all(np.linalg.norm(np.diff(went, axis=0), axis=1) > 1)
+    button(view, "Clear").click()
+    assert len(numbers(read(view)["paths"]["trace"])) == 1
+    slider.press("ArrowRight")
+    assert len(numbers(read(view)["paths"]["trace"])) == 2
+    for _ in range(2):
+        button(view, "Trace").click()
+    assert len(numbers(read(view)["paths"]["trace"])) == 1
+    assert button(view, "Clear").is_enabled()
     button(view, "Trace").click()
-    button(view, "Trace").click()
-    assert " L " not in read(view)["paths"]["trace"]
+    assert button(view, "Clear").is_disabled()
 
 
 def test_full_screen_and_back(live):
