@@ -37,7 +37,7 @@ def velocity_scene(arm: Arm, q: Numbers) -> Scene:
 def _ellipse(sketch: Sketch, rates: tuple[float, ...]) -> None:
     """The image of a circle, or of points all over a sphere, under everything."""
     sketch.steps.append(Velocity(sketch.tip, rates))
-    points = circle(61)[:-1] if sketch.planar else _sphere(160)
+    points = circle(61)[:-1] if sketch.planar else _sphere(100)
     sketch.add("ellipse", HULL, "ellipse", at(len(sketch.steps), *points), body=-1,
                layer="ellipse", part="ellipse")
 
@@ -49,7 +49,7 @@ def _column(sketch: Sketch, i: int, rates: tuple[float, ...]) -> None:
     sketch.add(f"column-{i + 1}", ARROW, "vector",
                (origin_of(sketch.tip), origin_of(frame)), lift=2 * radius, body=body,
                layer="columns", part="column", joint=i + 1)
-    sketch.add(f"column-name-{i + 1}", TEXT, "ink", (origin_of(frame),),
+    sketch.add(f"column-name-{i + 1}", TEXT, "ink", (origin_of(frame), origin_of(sketch.tip)),
                f"J{subscript(i + 1)}", lift=4 * radius, body=body, layer="columns", part="label",
                joint=i + 1)
 
@@ -64,7 +64,12 @@ def _column_reading(sketch: Sketch, i: int, turns: bool, rate: float) -> None:
 
 
 def _sphere(count: int) -> np.ndarray:
-    """Points spread evenly over the unit sphere, along a spiral."""
+    """Points spread evenly over the unit sphere, along a spiral, and on three great circles.
+
+    A flat ellipsoid has one of those as its rim.
+    """
     height = 1 - 2 * (np.arange(count) + 0.5) / count
     angles, radius = np.pi * (1 + 5 ** 0.5) * np.arange(count), np.sqrt(1 - height ** 2)
-    return np.stack([radius * np.cos(angles), radius * np.sin(angles), height], axis=-1)
+    spiral = np.stack([radius * np.cos(angles), radius * np.sin(angles), height], axis=-1)
+    rims = [np.roll(circle(61)[:-1], k, axis=1) for k in range(3)]
+    return np.round(np.concatenate([spiral, *rims]), 4)
