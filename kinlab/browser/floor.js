@@ -271,3 +271,11 @@ function words(text, place, size) {
   });
   return { text, place: kept, w, h };
 }
+
+/**
+ * The texts of all drops; what stands on itself, as a target's on the tool's, is said once.
+ * @param {Pick<Drop, "texts">[]} drops
+ */
+export const saidOnce = (drops) => drops.flatMap(({ texts }) => texts).filter((one, k, all) =>
+  all.findIndex(({ text, place: [x, y], h }) =>
+    text === one.text && Math.hypot(x - one.place[0], y - one.place[1]) < h) === k);

@@ -1,6 +1,6 @@
 // The floor in an SVG picture: what floor.js says stands on it.
 
-import { FADE, drop, giveWay, ground, shadow } from "./floor.js";
+import { FADE, drop, giveWay, ground, saidOnce, shadow } from "./floor.js";
 import { drawn, letter, polygon, polyline, put, px, reveal } from "./svg.js";
 
 /** @import { Body } from "./order.js" */
@@ -140,7 +140,7 @@ export class FloorPart {
       put(node, "d", polyline(line)));
     this.feet.show(drops, (node, { foot }) => put(node, "d", polygon(foot)));
     const states = this.labels.map(({ state }) => state);
-    this.coordinates = drops.flatMap(({ texts }) => texts);
+    this.coordinates = saidOnce(drops);
     this.labels = this.coordinates.map(({ place, w, h }, k) =>
       ({ anchor: place, from: null, w, h, state: states[k] }));
   }

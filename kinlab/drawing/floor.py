@@ -4,6 +4,7 @@ kinlab/browser/floor.js does the same.
 """
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from decimal import ROUND_HALF_UP, Decimal
@@ -313,3 +314,13 @@ def _words(text: str, place: np.ndarray, size: Size) -> Words:
     half = np.minimum(np.array(box) / 2 + _INSIDE, np.array(size) / 2)
     x, y = np.clip(place, half, np.array(size) - half)
     return Words(text, (float(x), float(y)), *box)
+
+
+def said_once(drops: Sequence[Drop]) -> list[Words]:
+    """The texts of all drops; what stands on itself, as a target's on the tool's, is said once."""
+    said: list[Words] = []
+    for words in (words for one in drops for words in one.texts):
+        if not any(words.text == other.text and math.dist(words.place, other.place) < other.h
+                   for other in said):
+            said.append(words)
+    return said

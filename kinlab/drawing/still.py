@@ -16,7 +16,7 @@ from ..arms.motions import Numbers
 from .camera import Camera, Extents, lens
 from .cloud import FADES, SLICE, layers, unpacked
 from .curves import corners, is_there
-from .floor import Drop, Ground, drop, faded, give_way, ground, shadow
+from .floor import Drop, Ground, drop, faded, give_way, ground, said_once, shadow
 from .floor import Solid as Shading
 from .labels import Bar, Label, place, text_size
 from .order import Body, back_to_front
@@ -326,7 +326,7 @@ class _Still:
     def _words(self, pieces: list[_Piece], drops: list[Drop]) -> Iterator[Drawn]:
         """The numbers on the rulers that others leave room for, then names and coordinates."""
         items = self._of([TEXT, NAME])
-        coordinates = [words for one in drops for words in one.texts]
+        coordinates = said_once(drops)
         labels = [*map(self._label, items),
                   *(Label(words.place, None, words.w, words.h) for words in coordinates)]
         places, _ = place(labels, self._strokes(),

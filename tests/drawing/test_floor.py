@@ -7,6 +7,7 @@ import pytest
 from kinlab.drawing.camera import Camera, lens
 from kinlab.drawing.floor import (
     FADE,
+    Drop,
     RulerNumber,
     Solid,
     Words,
@@ -15,6 +16,7 @@ from kinlab.drawing.floor import (
     give_way,
     ground,
     number,
+    said_once,
     shadow,
     strength,
 )
@@ -207,3 +209,12 @@ def test_every_number_is_finite_from_every_side(camera, perspective):
               np.array([(*one.words.box, one.opacity) for one in view.numbers]),
               np.array([words.box for words in line.texts])]
     assert all(np.isfinite(array).all() for array in arrays)
+
+
+def test_coordinates_that_stand_on_each_other_are_said_once():
+    def texts(*named):
+        empty = np.zeros((0, 2))
+        said = [Words(text, (x, 100.0), 50.0, 16.0) for text, x in named]
+        return Drop(empty, empty, empty, empty, said)
+    drops = [texts(("(4, 0)", 30.0), ("z 2", 90.0)), texts(("(4, 0)", 31.0), ("z 2", 140.0))]
+    assert [words.place[0] for words in said_once(drops)] == [30, 90, 140]

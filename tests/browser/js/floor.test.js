@@ -4,7 +4,9 @@ import { readFileSync } from "node:fs";
 import { test } from "node:test";
 
 import { lens } from "../../../kinlab/browser/camera.js";
-import { drop, giveWay, ground, shadow, strength } from "../../../kinlab/browser/floor.js";
+import {
+  drop, giveWay, ground, saidOnce, shadow, strength,
+} from "../../../kinlab/browser/floor.js";
 
 const cases = JSON.parse(readFileSync(new URL("floor.json", import.meta.url), "utf8"));
 const TOP = { right: [1, 0, 0], up: [0, 1, 0], near: [0, 0, 1], scale: 100, shrunk: 1,
@@ -86,4 +88,11 @@ test("a shadow is what lies under a solid", () => {
     { shape: "box", ends: [[0, 0, 0], [0, 0, 1], [0.3, 0, 0], [0, 0.1, 0]], size: [] }]);
   assert.deepEqual(outlines.map(spans), [[230, 270, 80, 120], [200, 300, 130, 170],
     [180, 220, 130, 170], [170, 230, 140, 160]]);
+});
+
+test("coordinates that stand on each other are said once", () => {
+  const words = (text, x) => ({ text, place: [x, 100], w: 50, h: 16 });
+  const [foot, high] = [words("(4, 0)", 30), words("z 2", 90)];
+  const all = [{ texts: [foot, high] }, { texts: [words("(4, 0)", 31), words("z 2", 140)] }];
+  assert.deepEqual(saidOnce(all).map(({ place: [x] }) => x), [30, 90, 140]);
 });
