@@ -132,7 +132,7 @@ class Bodies:
         """The link after joint i (from 0; the base's for -1): rods, then tubes and balls."""
         frame, corners = self._corners(i)
         if i >= 0 and self.layout.slides(i):
-            yield from self._rods(i, frame)
+            yield from self._rods(i, frame, bare=len(corners) == 1)
         for k, (a, b) in enumerate(pairwise(corners)):
             first, last = k == 0, k == len(corners) - 2
             if not first:
@@ -189,14 +189,15 @@ class Bodies:
             return (half if straight else 1.15) * self.t
         return (_HALF if straight else 0.93) * self.t
 
-    def _rods(self, i: int, frame: int) -> Iterator[Item]:
+    def _rods(self, i: int, frame: int, *, bare: bool) -> Iterator[Item]:
         """A rod of constant length through the sleeve: what stands out ahead and behind.
 
-        It ends where the arm goes on, or so far beyond the sleeve that it never slips out.
+        It ends where the arm goes on, for a `bare` one at the gripper, or so far beyond the sleeve
+        that it never slips out.
         """
         (low, high), place, t = self.layout.range(i), self.places[i], self.t
         half = (_OUTER if place.telescope else _SLEEVE) * t
-        hand = (0.5 - _GRIP) * t if i + 1 == self.layout.arm.n else 0.0
+        hand = (0.5 - _GRIP) * t if bare and i + 1 == self.layout.arm.n else 0.0
         ahead = 2.5 * t - low if low < 0 else hand
         behind = -high - 2.5 * t if high > 0 else -hand
         yield self._rod(f"rod-{i + 1}", i, (frame - 1, place.along + half), (frame, ahead))
