@@ -92,7 +92,7 @@ def test_a_plane_cuts_the_cloud_open(page):
         assert there == {name}
 
 
-@pytest.mark.parametrize("width", [340, 390, 720, 1280, 1920])
+@pytest.mark.parametrize("width", [340, 390, 720, 820, 1000, 1100, 1280, 1920])
 def test_words_of_a_chart_are_as_large_at_every_width(page, width):
     page.set_viewport_size({"width": width, "height": 900})
     view = kl.solve_view(kl.robots.two_link(), [0.5, 1, 0], [0.2, 0.1])
@@ -103,6 +103,8 @@ def test_words_of_a_chart_are_as_large_at_every_width(page, width):
     for size in page.evaluate(SIZES):
         np.testing.assert_allclose(size["scale"], 1, atol=0.02)
         assert size["least"] >= 12
+    chart = page.locator(".kl-chart").bounding_box()
+    assert chart["width"] > 280 and chart["x"] + chart["width"] <= width
 
 
 def test_a_curve_is_drawn_as_far_as_the_step(page):
