@@ -50,6 +50,16 @@ export function poseTable(pose) {
 }
 
 /**
+ * The class of what an amount is, an angle or a length.
+ * @param {Part} part
+ * @param {Scene["motions"]} motions
+ */
+function quantityOf(part, motions) {
+  if (part.kind !== "amount") return "";
+  return motions[part.step - 1].kind === ROTATE ? "kl-of-angle" : "kl-of-length";
+}
+
+/**
  * Formulas under the picture, whose vectors and amounts follow the knobs.
  * @param {Scene} scene
  */
@@ -61,7 +71,7 @@ export function readingLines({ readings, decimals, motions }) {
     const [first, ...rest] = text.split("{}");
     const line = make("div", { "data-reading": name }, first);
     rest.forEach((words, k) => {
-      const span = make("span", { class: "kl-number" });
+      const span = make("span", { class: `kl-number ${quantityOf(parts[k], motions)}` });
       spans.push([span, parts[k]]);
       line.append(span, words);
     });

@@ -24,6 +24,7 @@ def folder(tmp_path_factory):
     here = tmp_path_factory.mktemp("pointing")
     kl.ArmView(kl.robots.alpha_ii(), q=POSE, closed_form=True).save_html(here / "alpha.html")
     kl.ArmView(kl.robots.exam_2018(), closed_form=True).save_html(here / "exam.html")
+    kl.lessons.dh_recipe.parameters_view(kl.robots.exam_2018(), 2).save_html(here / "link.html")
     two = [kl.ArmView(arm()).html() for arm in (kl.robots.two_link, kl.robots.alpha_ii)]
     (here / "lesson.html").write_text(
         f"<style>{bundle.page_style()}</style>{two[0]}{TEXT}{two[1]}"
@@ -291,6 +292,8 @@ def test_quantities_have_their_colours_in_rows_and_formulas(visit):
         assert row(view, 3).locator("span").first.evaluate(colour) == length
         assert factor(view, "C1").evaluate(colour) == angle
         assert factor(view, "d3").evaluate(colour) == length
+        link = visit("link", color_scheme=scheme).locator("[data-reading] .kl-number")
+        assert [number.evaluate(colour) for number in link.all()] == [angle, length, length, angle]
 
 
 def test_in_jupyterlab_rows_of_a_table_and_terms_of_the_text_point(notebook, tmp_path):
