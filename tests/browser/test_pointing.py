@@ -189,7 +189,7 @@ def test_a_finger_taps(visit):
 
 def test_a_hand_that_drags_points_at_nothing_else(visit):
     view = visit("alpha")
-    x, y = view.locator(".kl-picture").evaluate(CENTRE)
+    x, y = view.locator(".kl-pose caption").evaluate(CENTRE)
     over = row(view, 3).locator("span").first.evaluate(CENTRE)
     view.mouse.move(x, y)
     view.mouse.down()
@@ -220,6 +220,8 @@ def test_entries_that_change_flash_once_in_a_movement(visit):
     def press(key):
         view.keyboard.press(key)
         view.clock.run_for(100)
+        view.evaluate("""document.querySelectorAll('.kl-flash').forEach(
+            node => node.dispatchEvent(new Event('animationend')))""")   # it is over by now
         return view.evaluate("flashes")
 
     for _ in range(6):
