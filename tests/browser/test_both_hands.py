@@ -4,7 +4,7 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 from lesson_views import VIEWS
-from painted import SOURCE, STYLE, assert_same, browsers, pythons
+from painted import SOURCE, STYLE, TELL, assert_same, browsers, pythons, strokes
 from plain import LOAD
 from strategies import arms_and_q
 
@@ -61,3 +61,70 @@ def test_every_view_of_the_lessons_is_the_same_in_both_hands(paper, make):
     low, high = np.array([(knob.low, knob.high) for knob in scene.knobs]).T
     for q in (scene.begin, rng.uniform(low, high)):
         assert_one_picture(paper, scene, q, scene.seen_from, scene.shown, scene.size)
+
+
+PARTS = """() => [...document.querySelectorAll('svg path, svg text')].filter(
+    node => !node.closest('defs')).map(node => ({...node.closest('[data-part]')?.dataset}))"""
+
+
+def test_every_stroke_says_what_it_is_a_picture_of(paper):
+    arm = kl.robots.cylindrical()
+    browsers(paper, arm_scene(arm), arm.home, show=LAYERS)
+    told = paper.evaluate(PARTS)
+    assert all("part" in one for one in told)
+    assert all({"frame", "joint", "link"} & set(one) for one in told
+               if one["part"] not in ("pane", "ghost", "trace"))
+    assert {"base", "link", "joint", "gripper", "frame", "label", "axis", "tip", "trace", "ghost",
+            "ground", "shadow", "dropline", "foot", "numbers", "coordinates"} <= {
+        one["part"] for one in told}
+
+
+def seen_groups(page):
+    return {one.group for one in strokes(page.evaluate(TELL))}
+
+
+def test_layers_and_frames_are_switched_one_by_one(paper):
+    arm = kl.robots.cylindrical()
+    browsers(paper, arm_scene(arm), arm.home)
+    turn = "([what, name, on]) => { picture[what](name, on); picture.draw(picture.scene.home); }"
+    whole = seen_groups(paper)
+    paper.evaluate(turn, ["showFrame", "1", False])
+    assert whole - seen_groups(paper) == {f"{kind}-1-{axis}{end}" for axis in "xyz" for kind, end in
+                                          (("frame", ""), ("frame", "-hint"), ("label", ""))}
+    paper.evaluate(turn, ["show", "frames", False])
+    paper.evaluate(turn, ["showFrame", "1", True])
+    assert not any(group.startswith("frame-") for group in seen_groups(paper))
+    paper.evaluate(turn, ["show", "frames", True])
+    paper.evaluate(turn, ["show", "floor", False])
+    assert whole - seen_groups(paper) == {"ground", "shadow", "foot", "dropline", "coordinates",
+                                          "numbers"}
+    paper.evaluate(turn, ["show", "floor", True])
+    assert seen_groups(paper) == whole
+
+
+def test_what_is_pointed_at_is_lit_and_all_else_steps_back(paper):
+    arm = kl.robots.alpha_ii()
+    browsers(paper, arm_scene(arm), arm.home)
+    dim = """() => [...document.querySelectorAll('svg g[id]')].filter(
+        g => !g.classList.contains('kl-dim')).map(g => g.id)"""
+    everything = set(paper.evaluate(dim))
+    paper.evaluate("picture.light({joints: new Set([2]), frames: new Set(['2']), "
+                   "links: new Set([2])}); picture.draw(picture.scene.home)")
+    lit = set(paper.evaluate(dim))
+    assert {"joint-2", "frame-2-x", "label-2-x", "link-2-0"} <= lit
+    assert not {"joint-1", "joint-3", "frame-1-x", "link-1-0", "gripper"} & lit
+    fills = {one.group: one.fill for one in strokes(paper.evaluate(TELL))}
+    paper.evaluate("picture.light(null); picture.draw(picture.scene.home)")
+    assert set(paper.evaluate(dim)) == everything
+    plain = {one.group: one.fill for one in strokes(paper.evaluate(TELL))}
+    assert fills["gripper"] != plain["gripper"]  # paler, by its own ramp
+
+
+def test_a_trace_can_be_cleared(paper):
+    arm = kl.robots.two_link()
+    browsers(paper, arm_scene(arm), [0, 0.3], show=LAYERS)
+    paper.evaluate("[0.1, 0.2, 0.3].forEach(a => picture.draw([a, 0.3]))")
+    count = "document.querySelector('#trace path').getAttribute('d').split('L').length"
+    assert paper.evaluate(count) == 4
+    paper.evaluate("picture.clear(); picture.draw([0.3, 0.3])")
+    assert paper.evaluate(count) == 1
