@@ -167,7 +167,8 @@ export class Picture {
    */
   extents(at, q) {
     const { floor, fit, motions } = this.scene;
-    const bodies = this.solids.flatMap((solid) => solid.balls(at));
+    const bodies = this.solids.filter(({ paint }) => !paint.faded)
+      .flatMap((solid) => solid.balls(at));
     const beside = this.strokes.filter(({ item }) => !UNFRAMED.includes(item.layer))
       .flatMap(({ item }) => cornersOf(item, { motions, all: at, q }).map((point) => [point, 0]));
     const feet = (floor?.drops ?? []).flatMap((k) => {

@@ -58,18 +58,17 @@ class LinkSketch(Sketch):
                              f"got {inputs.brief(link)}")
         super().__init__(f"Link {link} of {arm.name or 'the arm'}, {arm.convention} DH",
                          planar=False, unit=arm.unit, grid=0)
-        self.lay_arm(arm, q, keep=lambda item: not item.layer)
+        self.lay_arm(arm, q, keep=lambda item: not item.layer and item.part != "tip")
         self.items = [_stepped_back(item, int(link)) for item in self.items]
         self.arm, self.link, self.over = arm, int(link), self.radius
         self.bare()
-        self.fit = None  # one link is looked at, not the arm
+        self.follows = True  # one link is looked at, not the arm
         self.floor = self.floor and replace(self.floor, drops=())
         self.motions = arm.chain[self.link]
         self.parameters = [parameter for _, _, parameter in CONVENTIONS[arm.convention]]
         self.radius = _closeness(arm, self.motions, self.radius)
         ends = link_ends(arm)
         self.first, self.tip = ends[self.link - 1], ends[self.link]
-        self.focus = self._walk(self.motions, slides=0.5)[-1]
         self.frames = self._walk(self.motions)
         self._measure()
 

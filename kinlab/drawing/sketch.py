@@ -25,6 +25,7 @@ from ..arms.motions import ROTATE, TRANSLATE, Numbers, X, Y, Z
 from .arm_scene import arm_scene, is_planar
 from .controls import Handle, Knob, PoseTable, Switch, Target, subscript
 from .curves import corners
+from .paints import PAINTS
 from .readings import Amount, Entry, Point, Reading, Vector, Volume
 from .scene import (
     ARROW,
@@ -317,7 +318,8 @@ class Sketch:
         """A frame round all that is drawn, words aside, as large as that is at home."""
         q, frames = scene.begin, scene.frames(scene.begin)
         places = np.concatenate([corners(item, scene.motions, frames, q) for item in self.items
-                                 if item.shape in (ARROW, LINE, SWEEP, PATCH, *SOLIDS)])
+                                 if item.shape in (ARROW, LINE, SWEEP, PATCH, *SOLIDS)
+                                 and "faded" not in PAINTS[item.style]])
         low, high = places.min(axis=0), places.max(axis=0)
         middle = tuple(((low + high) / 2).tolist())
         return Fit(middle, float(np.linalg.norm(high - low)) / 2, self.thick)

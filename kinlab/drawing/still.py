@@ -166,7 +166,7 @@ class _Still:
         floor, frames = self.scene.floor, self.scene.frames(q)
         balls: list[tuple[Numbers, float]] = []
         for item in self.scene.items:
-            if item.shape in SOLIDS:
+            if item.shape in SOLIDS and "faded" not in PAINTS[item.style]:
                 ends = corners(item, self.scene.motions, frames, q)
                 radii = item.size if item.shape != BOX else (
                     float(np.linalg.norm(ends[2] - ends[0])),) * 2

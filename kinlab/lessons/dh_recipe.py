@@ -31,7 +31,7 @@ __all__ = ["JUDGES", "motions_view", "parameters_view", "rules_view"]
 
 def rules_view() -> LiveView:
     """Frame 1 that may break the rules: its x axis tilts towards z0, or misses it."""
-    sketch = Sketch("The two rules", 2.9, center=(0, 0, 0.9), planar=False)
+    sketch = Sketch("The two rules", 2.5, center=(0, 0, 1), planar=False)
     tilt = sketch.knob(Knob.angle("tilt", "tilt", -radians(50), radians(50), radians(25)))
     miss = sketch.knob(Knob.length("miss", "miss", -1.5, 1.5, 1.0))
     upright = sketch.move(ROTATE, Y, -pi / 2)  # its x axis is z0
@@ -42,8 +42,8 @@ def rules_view() -> LiveView:
     sketch.move(TRANSLATE, X, 2.0)
     frame = sketch.move(ROTATE, X, -radians(60))
     across = sketch.move(ROTATE, Z, pi / 2, parent=foot)  # its x axis points along the miss
-    sketch.line("z-line", at(0, (0, 0, -1), (0, 0, 2.8)), "axis")
-    sketch.line("x-line", at(frame, (-3.6, 0, 0), (0, 0, 0)))
+    sketch.line("z-line", at(0, (0, 0, -0.6), (0, 0, 2.8)), "axis")
+    sketch.line("x-line", at(frame, (-3, 0, 0), (0, 0, 0)))
     tail, head = map(origin_of, (foot, side))
     sketch.arrow("gap", tail, head)
     sketch.axes("0", 0)

@@ -72,7 +72,7 @@ def still_view() -> LiveView:
 def spatial_view(axis: str) -> LiveView:
     """The elementary rotation about one of the axes "x", "y", "z"."""
     k = "xyz".index(axis)
-    sketch = Sketch(f"Rotation about {axis}", 1.45, center=(0.2, 0.2, 0.2), planar=False)
+    sketch = Sketch(f"Rotation about {axis}", 1.32, center=(0.2, 0.2, 0.2), planar=False)
     theta = sketch.knob(Knob.angle("theta", "θ", home=radians(35)))
     sketch.axes("0", 0, 1.4)
     frame = sketch.tip = sketch.move(ROTATE, k, 0.0, theta)
@@ -88,7 +88,7 @@ def spatial_view(axis: str) -> LiveView:
 
 def _turning(name: str) -> tuple[Sketch, int, int]:
     """A sketch with frame 0, the knob theta, and frame 1 turned by it."""
-    sketch = Sketch(name, 1.5)
+    sketch = Sketch(name, 1.45)
     theta = sketch.knob(Knob.angle("theta", "θ", home=radians(35)))
     sketch.axes("0", 0, 1.0)
     frame = sketch.frame("1", theta=theta, length=1.0)

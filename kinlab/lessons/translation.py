@@ -18,7 +18,8 @@ from ..views.live import LiveView
 
 def sliding_view() -> LiveView:
     """Frame 1 slides; the point c keeps its place in the room."""
-    sketch = Sketch("A frame that slides, a point that does not", 3.3, center=(0.5, 0.5, 0))
+    sketch = Sketch("A frame that slides, a point that does not", 3.3)
+    sketch.follows = True
     x, y = _knobs(sketch, "o", "o", (2, -1))
     frame, halfway = _frame(sketch, "1", x, y)
     point = sketch.point("c", 0, (1, 2))
@@ -33,7 +34,7 @@ def sliding_view() -> LiveView:
 
 def riding_view() -> LiveView:
     """Frame 1 slides and takes the point c along."""
-    sketch = Sketch("A frame that slides and takes a point along", 3.8, center=(0.5, 1, 0))
+    sketch = Sketch("A frame that slides and takes a point along", 3.8)
     sketch.follows = True
     x, y = _knobs(sketch, "o", "o", (-2, -1))
     frame, halfway = _frame(sketch, "1", x, y)

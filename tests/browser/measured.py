@@ -12,7 +12,7 @@ MEASURE = """() => {
         && node.checkVisibility({opacityProperty: true, visibilityProperty: true});
     const group = node => node.closest('[data-part]') ?? node.closest('g[id]') ?? node;
     const part = node => group(node).dataset.part || group(node).getAttribute('class') || '';
-    const flat = node => node.closest('.kl-layer-floor')
+    const flat = node => node.closest('.kl-layer-floor, .kl-far')
         || /ground|shadow|ghost|axis|trace|mesh/.test(part(node));
     const placed = node => {
         const {x, y, width, height} = node.getBBox(), m = node.getScreenCTM();

@@ -2,6 +2,7 @@
 import numpy as np
 import pytest
 
+from kinlab.drawing.curves import corners
 from kinlab.lessons import (
     dh_recipe,
     homogeneous,
@@ -13,13 +14,14 @@ from kinlab.lessons import (
 )
 
 STANDING = {  # the room stands still in these
-    "sliding": translation.sliding_view, "axes": rotation.axes_view,
+    "axes": rotation.axes_view,
     "turning": rotation.riding_view, "still": rotation.still_view,
     **{axis: lambda axis=axis: rotation.spatial_view(axis) for axis in "xyz"},
     "order": homogeneous.order, "fixed": homogeneous.fixed, "rules": dh_recipe.rules_view,
     "zyz": n_link.zyz_view, "ring": workspace.ring_view}
 FOLLOWED = {
-    "riding": translation.riding_view, "two slides": translation.chain_view,
+    "sliding": translation.sliding_view, "riding": translation.riding_view,
+    "two slides": translation.chain_view,
     "combined": homogeneous.combined, "seen back": homogeneous.seen_back,
     "chain": homogeneous.chain, "spatial": homogeneous.spatial,
     "both methods": two_link.both_methods, "n links": two_link.n_links,
@@ -39,10 +41,15 @@ def places(scene, q):
     right = np.array([-np.sin(azimuth), np.cos(azimuth), 0])
     up = np.array([-np.sin(elevation) * np.cos(azimuth), -np.sin(elevation) * np.sin(azimuth),
                    np.cos(elevation)])
-    frames = scene.frames(q)
-    room = np.array([(frames[int(k)] @ (*place, 1))[:3] for item in strokes(scene)
-                     for k, *place in item.points[:1 if item.shape == "axis" else None]])
+    room = np.concatenate(ends(scene, q))
     return (room - scene.center) @ np.array([right, up]).T
+
+
+def ends(scene, q):
+    """The points of every stroke in the room."""
+    frames = scene.frames(q)
+    return [corners(item, scene.motions, frames, q)[:1 if item.shape == "axis" else None]
+            for item in strokes(scene)]
 
 
 def poses(scene, count=40):
@@ -67,9 +74,7 @@ def test_a_room_that_stands_still_is_filled_at_home(make):
 @pytest.mark.parametrize("make", FOLLOWED.values(), ids=FOLLOWED)
 def test_a_picture_that_follows_has_the_ball_round_its_home(make):
     scene = make()._scene
-    frames = scene.frames(scene.begin)
-    drawn = np.array([(frames[int(k)] @ (*place, 1))[:3] for item in strokes(scene)
-                      for k, *place in item.points[:1 if item.shape == "axis" else None]])
+    drawn = np.concatenate(ends(scene, scene.begin))
     low, high = drawn.min(axis=0), drawn.max(axis=0)
     np.testing.assert_allclose(scene.fit.middle, (low + high) / 2, atol=1e-9)
     np.testing.assert_allclose(2 * scene.fit.radius, np.linalg.norm(high - low))

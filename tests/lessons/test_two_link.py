@@ -4,6 +4,7 @@ import pytest
 
 import kinlab as kl
 
+SKIN = 0.1593648  # m: 0.93 of a joint's radius, which is 0.034 of 1.05 * 4 * 1.2 m
 ANGLES = [(0.4, 0.7), (-2.0, 1.1), (3.0, -2.5)]
 
 
@@ -42,6 +43,9 @@ def test_the_arcs_of_an_arm_run_to_the_cumulative_angles():
         arc = places(view, f"arc-φ{'₁₂₃₄'[k]}") - joint
         np.testing.assert_allclose(arc, [polar(0.5, share * angle) for share in
                                          np.linspace(0, 1, 9)], atol=1e-12)
+        link = polar(1, angle)
+        np.testing.assert_allclose(places(view, f"link-{k + 1}"), [
+            joint + SKIN * link, joint + (1.2 - SKIN * (k < 3)) * link], atol=1e-9)
         joint = joint + view.readings[f"link-{k + 1}"][0]
     np.testing.assert_allclose(view.readings["Q"][0], joint)
 

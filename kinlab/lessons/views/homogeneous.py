@@ -120,14 +120,19 @@ def _sliding_and_turning(name: str, home: tuple[float, float]) -> tuple[Sketch, 
     x, y = (sketch.knob(Knob.length(f"o_{axis}", label, -2, 2, value))
             for axis, label, value in zip("xy", ("oₓ", "oᵧ"), home))
     theta = sketch.knob(Knob.angle("theta", "θ", home=radians(30)))
-    sketch.move(TRANSLATE, X, 0, x, gain=0.5)
-    half = sketch.move(TRANSLATE, Y, 0, y, gain=0.5)
+    half, near = (_part_way(sketch, x, y, share) for share in (0.5, 0.3))
     sketch.axes("0", 0, 1.0)
     frame = sketch.frame("1", x=x, y=y, theta=theta, length=1.0)
     sketch.arrow("o", origin_of(0), origin_of(frame))
-    sketch.label("o₁⁰", at(half, (0, 0, 0), (0, 1, 0)))
+    sketch.label("o₁⁰", at(near, (0, 0, 0), (0, 1, 0)))
     sketch.sweep("theta", frame, (0.7, 0, 0), text="θ")
     return sketch, frame, half
+
+
+def _part_way(sketch: Sketch, x: int, y: int, share: float) -> int:
+    """A frame at a share of the way to a frame that slides."""
+    sketch.move(TRANSLATE, X, 0, x, 0, gain=share)
+    return sketch.move(TRANSLATE, Y, 0, y, gain=share)
 
 
 def _indices(k: int) -> str:

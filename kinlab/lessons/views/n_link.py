@@ -30,8 +30,6 @@ def both_conventions(arm: Arm, *links: int, q: Any = None) -> LiveView:
         for prime, frame in (("", near[i]), ("′", far[i])):
             sketch.reading(f"o{i}{prime}", f"o{subscript(i)}{prime} = {{}} {arm.unit}",
                            sketch.vector(0, frame))
-    if not sketch.planar:  # come closer: what matters are the frames at both ends of the links
-        sketch.radius, sketch.focus, sketch.fit = 0.55 * sketch.radius, near[links[0]], None
     return LiveView(sketch.scene())
 
 

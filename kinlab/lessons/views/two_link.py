@@ -1,8 +1,6 @@
 """Views of lesson 04: planar arms, by trigonometry and through their frames."""
 from __future__ import annotations
 
-from itertools import pairwise
-
 from ...arms.motions import ROTATE, TRANSLATE, X, Z
 from ...drawing.controls import Knob, PoseTable, subscript
 from ...drawing.scene import at, origin_of
@@ -25,7 +23,7 @@ def both_methods() -> LiveView:
     second = sketch.frame("2", first, x=l1, theta=t2)
     end = sketch.move(TRANSLATE, X, 0, l2)
     sketch.axes("0", 0, inside=sketch.thick, sharing=1)
-    _links(sketch, [(first, "O"), (second, "P"), (end, "Q")])
+    _links(sketch, [(first, second - 1), (second, end)], "OPQ")
     _legs(sketch, ("l₁C₁", "l₁S₁"), first, l1, [t1])
     _legs(sketch, ("l₂C₁₂", "l₂S₁₂"), second, l2, [t1, t2])
     sketch.sweep("theta-1", first, (0.85, 0, 0), text="θ₁")
@@ -46,34 +44,33 @@ def n_links(n: int = 4) -> LiveView:
     sketch.follows = True
     knobs = [sketch.theta(k, home) for k, home in enumerate(_HOME[:n], start=1)]
     sketch.axes("0", 0, inside=sketch.thick)
-    frame, joints = 0, []
+    frame, links = 0, []
     for k, knob in enumerate(knobs, start=1):
         index, before = subscript(k), frame
         turned = sketch.move(ROTATE, Z, 0, knob, before)
         frame = sketch.move(TRANSLATE, X, _LENGTH)
-        joints.append((turned, ""))
+        links.append((turned, frame))
         _bearing(sketch, f"φ{index}", _turned(sketch, before, knobs[:k - 1], -1), knobs[:k])
         sketch.reading(f"link-{k}", f"l{index} (cos φ{index}, sin φ{index}) = {{}}",
                        sketch.vector(turned, frame))
-    _links(sketch, [*joints, (frame, "Q")])
+    _links(sketch, links)
+    sketch.point("Q", frame, (0, 0))
     sketch.handle("Q", frame, *knobs)
     sketch.reading("Q", "Q⁰ = sum of the rows above = {}", sketch.vector(0, frame))
     return LiveView(sketch.scene())
 
 
-def _links(sketch: Sketch, joints: list[tuple[int, str]]) -> None:
-    """Joints, links from each to the next, and a dot with its name where there is one.
+def _links(sketch: Sketch, links: list[tuple[int, int]], names: str = "") -> None:
+    """Solid links, each along the frame that its joint turns, and a dot at every joint and the tip.
 
-    The frame before that of a joint is not turned by it yet.
+    A link is known by that frame and the one at its end, which the next joint has not turned.
     """
     sketch.base()
-    for k, ((start, _), (stop, _)) in enumerate(pairwise(joints), start=1):
-        last = k == len(joints) - 1
-        sketch.limb(k, start, stop if last else stop - 1, last)
-        sketch.hinge(k, start)
-    for frame, name in joints:
-        if name:
-            sketch.point(name, frame, (0, 0))
+    for k, (turned, end) in enumerate(links, start=1):
+        sketch.limb(k, turned, end, last=k == len(links))
+        sketch.hinge(k, turned)
+    for name, frame in zip(names, [*(turned for turned, _ in links), links[-1][1]]):
+        sketch.point(name, frame, (0, 0))
 
 
 def _legs(sketch: Sketch, names: tuple[str, str], frame: int, length: int,
