@@ -52,8 +52,8 @@ class ArmView(JointView):
         Joint values to begin with (rad or length); the arm's home if left out.
     closed_form : bool
         Typeset the matrix in closed form under the picture.
-    show : sequence of {"frames", "labels", "axes", "trace", "ghost"}
-        What is switched on to begin with.
+    show : sequence of {"frames", "labels", "axes", "names", "trace", "ghost"}
+        What is switched on to begin with, beside the floor.
     preset : {"3-D", "top", "front", "side"}, optional
         Where the picture is seen from; planar arms are seen from the top.
     poses : array, shape (m, n), optional

@@ -1,4 +1,6 @@
 """The view from Python: sliders and joint values agree, limits hold, bad input leaves nothing."""
+import json
+import re
 from html import unescape
 from math import degrees, pi, radians
 
@@ -15,6 +17,7 @@ close = np.testing.assert_allclose
 few = settings(max_examples=10)
 COURSE = [kl.robots.two_link, kl.robots.practical_six_link, kl.robots.cylindrical,
           kl.robots.exam_2018, kl.robots.alpha_ii, kl.robots.intelledex_660t]
+SWITCHED = ("frames", "labels", "axes", "trace", "ghost")
 course = pytest.mark.parametrize("robot", COURSE, ids=lambda robot: robot.__name__)
 
 
@@ -168,19 +171,24 @@ def test_what_is_shown_and_from_where():
         return [layer["layer"] for layer in view.scene["layers"] if layer["on"]]
 
     plain = kl.ArmView(kl.robots.alpha_ii())
-    assert layers(plain) == ["frames", "labels"] and plain.scene["preset"] == "3-D"
+    assert layers(plain) == ["frames", "labels", "floor"] and plain.scene["preset"] == "3-D"
     assert kl.ArmView(kl.robots.two_link()).scene["preset"] == "top"
     view = kl.ArmView(kl.robots.two_link(), show=["ghost", "trace"], preset="side")
-    assert layers(view) == ["trace", "ghost"] and view.scene["preset"] == "side"
-    assert layers(kl.ArmView(kl.robots.two_link(), show=())) == []
-    assert layers(kl.ArmView(kl.robots.two_link(), show="ghost")) == ["ghost"]
+    assert layers(view) == ["floor", "trace", "ghost"] and view.scene["preset"] == "side"
+    assert layers(kl.ArmView(kl.robots.two_link(), show=())) == ["floor"]
+    assert layers(kl.ArmView(kl.robots.two_link(), show="ghost")) == ["floor", "ghost"]
 
 
 def test_all_layers_are_in_the_picture_that_moves_whatever_is_shown():
-    view = kl.ArmView(kl.robots.two_link(), show=())
-    svg = view.html()
-    for item in view.scene["items"]:
-        assert svg.count(f'id="{item["gid"]}"') == 1
+    def items(show):
+        view = kl.ArmView(kl.robots.two_link(), show=show)
+        data = re.search(r"<script[^>]*>(.*?)</script>", view.html(), re.DOTALL)
+        return json.loads(unescape(data[1]))["scene"]["items"]
+
+    bare = items(())
+    names = [item["gid"] for item in bare]
+    assert len(names) == len(set(names)) and bare == items(SWITCHED)
+    assert {item["layer"] for item in bare if "layer" in item} >= set(SWITCHED)
 
 
 def test_the_table_names_the_tool_and_rounds_sensibly():

@@ -211,7 +211,8 @@ def test_a_view_follows_another_arm():
     assert view.note == "d₃ stops at its limit, 0.6 m"
     assert not view.settling
     scene = view.scene
-    assert [layer["layer"] for layer in scene["layers"] if layer["on"]] == ["labels", "trace"]
+    assert [layer["layer"] for layer in scene["layers"] if layer["on"]] == [
+        "labels", "floor", "trace"]
     fresh = kl.ArmView(kl.robots.cylindrical(), show=["labels", "trace"]).scene
     assert json.dumps(scene) == json.dumps(fresh)
 
