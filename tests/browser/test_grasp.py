@@ -123,7 +123,7 @@ def test_a_link_goes_by_its_joint_and_stays_under_the_hand(desk, robot, side, bo
     {"azimuth": -100, "elevation": -35, "zoom": 1, "perspective": False}])
 def test_a_link_is_held_in_perspective_and_from_below(desk, camera):
     shown = Shown(desk, kl.ArmView(kl.robots.alpha_ii()))
-    desk.evaluate("camera => { Object.assign(live.picture.camera, camera); live.redraw(); }", camera)
+    desk.evaluate("to => { Object.assign(live.picture.camera, to); live.redraw(); }", camera)
     settle(desk)
     frame, held = shown.skin("link-2-0")
     wanted = shown.q
