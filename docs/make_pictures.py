@@ -1,7 +1,8 @@
 """Make the README's pictures.
 
-docs/alpha_ii.gif films the Alpha II view in a real JupyterLab. The others show saved pages: one
-solve by two methods, and an arm on a telephone.
+docs/alpha_ii.gif films the Alpha II view in a real JupyterLab; docs/lesson.png and docs/editor.png
+are photographs from there: an answer with what is said to it, and a table that is typed. The others
+show saved pages: one solve by two methods, and an arm on a telephone.
 
 Run with: python docs/make_pictures.py (needs the `test` extra and Chromium).
 """
@@ -18,23 +19,29 @@ from PIL import Image
 from playwright.sync_api import Page
 
 import kinlab as kl
+from kinlab.drawing.paints import COLOURS, PAINTS
 
 ROOT = Path(__file__).parents[1]
 sys.path.insert(0, str(ROOT / "tests" / "browser"))
 
-from lab import open_and_run, open_browser, run_code, start_lab  # noqa: E402
+from lab import Lab, open_and_run, open_browser, run_code, start_lab  # noqa: E402
 
 # Poses in degrees; the film goes round them once and ends where it began.
 POSES = np.array([[0, 0, 0, -90, 0], [40, -50, 50, -60, 0], [40, -50, 50, -60, 90],
                   [-30, -75, 60, -60, 90], [-30, -10, 30, -120, 0]])
-STEPS, MILLISECONDS = 14, 60
+STEPS, MILLISECONDS = 10, 80
 CELL = "import kinlab as kl\nview = kl.ArmView(kl.robots.alpha_ii(), closed_form=True)\nview"
+LESSON = ["import numpy as np\nimport kinlab as kl",
+          "reach = kl.lessons.start_here.reach_view()\nreach",
+          "two_ways = np.radians([[50, -60], [50, 60]])\n"
+          'kl.exercises.check("start_here.5", two_ways)']
+EDITOR = ["import kinlab as kl\neditor = kl.DHTableEditor(kl.robots.cylindrical())\neditor"]
 
 
 def main() -> None:
     with tempfile.TemporaryDirectory() as folder:
         with open_browser() as browser:
-            solve(browser.new_page(viewport={"width": 900, "height": 760}), Path(folder))
+            solve(browser.new_page(viewport={"width": 1280, "height": 860}), Path(folder))
             phone(browser.new_page(viewport={"width": 390, "height": 844}, has_touch=True,
                                    device_scale_factor=1.5), Path(folder))
     film()
@@ -56,23 +63,54 @@ def phone(page: Page, folder: Path) -> None:
 
 
 def film() -> None:
+    """Photographs and a film from a JupyterLab."""
+    notebooks = {"film": [CELL], "lesson": LESSON, "editor": EDITOR}
     with tempfile.TemporaryDirectory() as folder:
-        notebook = nbformat.v4.new_notebook(
-            cells=[nbformat.v4.new_code_cell(CELL)],
-            metadata={"kernelspec": {"name": "python3", "display_name": "Python 3"}})
-        nbformat.write(notebook, Path(folder, "film.ipynb"))
+        for name, cells in notebooks.items():
+            _write(Path(folder, f"{name}.ipynb"), cells)
         with start_lab(folder) as lab, open_browser() as browser:
-            page = browser.new_page(viewport={"width": 1240, "height": 900})
-            open_and_run(page, lab, "film.ipynb")
-            page.evaluate("jupyterapp.commands.execute('application:toggle-left-area')")
+            page = browser.new_page(viewport={"width": 1240, "height": 980})
+            for name in ("lesson", "editor"):
+                _open(page, lab, name)
+                page.locator(".jp-Notebook:visible").screenshot(path=ROOT / "docs" / f"{name}.png")
+            _open(page, lab, "film")
             page.get_by_role("button", name="Trace").click()
-            frames = [_shot(page, q) for q in _path()]
+            _save([_shot(page, q) for q in _path()])
+
+
+def _write(path: Path, cells: list[str]) -> None:
+    kernel = {"kernelspec": {"name": "python3", "display_name": "Python 3"}}
+    code = [nbformat.v4.new_code_cell(cell) for cell in cells]
+    nbformat.write(nbformat.v4.new_notebook(cells=code, metadata=kernel), path)
+
+
+def _open(page: Page, lab: Lab, name: str) -> None:
+    """Open a notebook alone in the window and run it."""
+    open_and_run(page, lab, f"{name}.ipynb")
+    page.evaluate("jupyterapp.commands.execute('application:toggle-left-area')")
+    page.locator(".kl-picture svg").last.wait_for()
+    page.wait_for_timeout(1500)
+
+
+def _save(frames: list[Image.Image]) -> None:
     target = ROOT / "docs" / "alpha_ii.gif"
-    palette = frames[len(frames) // 2].quantize(96)
+    palette = _with_swatches(frames[len(frames) // 2]).quantize(128)
     first, *rest = [frame.quantize(palette=palette, dither=Image.Dither.NONE) for frame in frames]
     first.save(target, save_all=True, append_images=rest, duration=MILLISECONDS, loop=0,
                optimize=True)
     print(f"{target.name}: {len(frames)} pictures, {target.stat().st_size / 1000:.0f} kB")
+
+
+def _with_swatches(picture: Image.Image) -> Image.Image:
+    """The picture above the colours of small things that a palette would leave out."""
+    colours = [colour for paints in COLOURS.values() for colour in paints[:2]]
+    colours += [*PAINTS["iron"]["hub"], "#fbe8c4"]  # hubs, and entries that have just changed
+    tall = Image.new("RGB", (picture.width, picture.height + 120))
+    tall.paste(picture)
+    side = picture.width // len(colours)
+    for k, colour in enumerate(colours):
+        tall.paste(colour, (k * side, picture.height, (k + 1) * side, tall.height))
+    return tall
 
 
 def _path() -> np.ndarray:
