@@ -149,16 +149,17 @@ class Row {
  * A track with two handles: two rows laid over each other. A press on the track brings the nearer
  * handle there.
  * @param {string} name
+ * @param {string} quantity what kind of number it is, for its colour
  * @param {(share: number) => void} press hears how far along the track
  */
-function trackOf(name, press) {
+function trackOf(name, quantity, press) {
   const node = make("div", { class: "kl-pair", role: "group", "aria-label": name });
   const line = make("span", { class: "kl-track" });
   line.addEventListener("pointerdown", ({ clientX }) => {
     const { left, width } = line.getBoundingClientRect();
     press(clip((clientX - left - HANDLE / 2) / (width - HANDLE), 0, 1));
   });
-  node.append(make("span", {}, name), line);
+  node.append(make("span", quantity ? { class: `kl-of-${quantity}` } : {}, name), line);
   return node;
 }
 
@@ -214,9 +215,10 @@ export class Controls {
    * @param {Knob} knob
    */
   place(knob) {
-    const { node } = this.row(knob), { pair } = knob;
+    const { node } = this.row(knob), { pair, quantity } = knob;
     if (!pair) return node;
-    const track = this.tracks.get(pair) ?? trackOf(pair, (share) => this.press(knob, share));
+    const track = this.tracks.get(pair) ??
+      trackOf(pair, quantity, (share) => this.press(knob, share));
     this.tracks.set(pair, track);
     if (node.parentElement !== track) track.append(node);
     return track;
