@@ -1,5 +1,6 @@
 // The picture, drawn from the scene alone, as kinlab/drawing/figure.py draws it: the frames of
-// frames.js, seen through the lens of camera.js. One unit of the SVG is one pixel of the page.
+// frames.js, seen through the lens of camera.js. One unit of the SVG is one pixel of the page, or
+// more on a large screen.
 
 import { lens } from "./camera.js";
 import { Cloud } from "./cloud.js";
@@ -10,6 +11,7 @@ import { place } from "./labels.js";
 import { backToFront } from "./order.js";
 import { Axis, Solid, Stroke, Words, whole } from "./parts.js";
 import { Steady } from "./steady.js";
+import { clip } from "./steps.js";
 import { arrange, drawn } from "./svg.js";
 import { norm, minus } from "./vectors.js";
 
@@ -19,6 +21,7 @@ import { norm, minus } from "./vectors.js";
 
 const TRACE_LENGTH = 4000, TRACE_STEP = 0.2;        // points; px
 const SAME_DEPTH = 1e-6;                            // px: strokes that differ less keep their order
+const ORDINARY = 620, MAGNIFIED = 1.6;                // px: a picture's side; times larger words
 const LABEL_STEPS = 3;                              // towards its place, in each picture
 const UNFRAMED = ["axes", "ghost", "trace"];        // layers that may leave the picture
 const SOLID_SHAPES = ["tube", "ball", "box"], WORD_SHAPES = ["text", "name"];
@@ -100,13 +103,14 @@ export class Picture {
   }
 
   /**
-   * Take another size (px).
+   * Fill a box of this size (px). In a large one, for a lecture, words and lines are larger, too.
    * @param {number} width
    * @param {number} height
    */
   resize(width, height) {
-    this.size = [width, height];
-    this.svg.setAttribute("viewBox", `0 0 ${width} ${height}`);
+    const larger = clip(Math.min(width, height) / ORDINARY, 1, MAGNIFIED);
+    this.size = [width / larger, height / larger];
+    this.svg.setAttribute("viewBox", `0 0 ${this.size.join(" ")}`);
     for (const words of this.words) words.state = null;
     this.floor?.settle();
   }
