@@ -19,7 +19,7 @@ def target_scene(arm: Arm, q: Numbers) -> Scene:
 
     The coordinates of the ring are knobs after the joints: x and y of a planar arm, else x, y, z.
     """
-    sketch = Sketch.of(arm, q, show=("frames", "labels"))
+    sketch = Sketch.of(arm, q, show=("frames", "labels", "names"))
     axes, places = 2 if sketch.planar else 3, [*sketch.poses, sketch.start]
     tools = forward_kinematics(arm, np.array(places))[:, :3, 3]
     *sketch.poses, sketch.start = ([*pose, *tool[:axes]] for pose, tool in zip(places, tools))

@@ -53,7 +53,7 @@ class ArmView(JointView):
     closed_form : bool
         Typeset the matrix in closed form under the picture.
     show : sequence of {"frames", "labels", "axes", "names", "trace", "ghost"}
-        What is switched on to begin with, beside the floor.
+        What is switched on to begin with, besides the floor.
     preset : {"3-D", "top", "front", "side"}, optional
         Where the picture is seen from; planar arms are seen from the top.
     poses : array, shape (m, n), optional
@@ -86,7 +86,7 @@ class ArmView(JointView):
     """
 
     def __init__(self, arm: Arm, q: Any = None, *, closed_form: bool = False,
-                 show: Sequence[str] = ("frames", "labels"), preset: str | None = None,
+                 show: Sequence[str] = ("frames", "labels", "names"), preset: str | None = None,
                  poses: Any = None) -> None:
         start = first_pose(arm, q)
         if preset is not None:

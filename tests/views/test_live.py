@@ -171,7 +171,8 @@ def test_what_is_shown_and_from_where():
         return [layer["layer"] for layer in view.scene["layers"] if layer["on"]]
 
     plain = kl.ArmView(kl.robots.alpha_ii())
-    assert layers(plain) == ["frames", "labels", "floor"] and plain.scene["preset"] == "3-D"
+    assert layers(plain) == ["frames", "labels", "names", "floor"]
+    assert plain.scene["preset"] == "3-D"
     assert kl.ArmView(kl.robots.two_link()).scene["preset"] == "top"
     view = kl.ArmView(kl.robots.two_link(), show=["ghost", "trace"], preset="side")
     assert layers(view) == ["floor", "trace", "ghost"] and view.scene["preset"] == "side"
