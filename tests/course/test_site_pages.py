@@ -64,9 +64,9 @@ def test_every_link_leads_somewhere(folder, name, text):
 @every_page
 def test_nothing_comes_from_elsewhere(folder, name, text):
     wanted = [address for address in Reader(text).loads
-              if not re.search(r"\.html(#|$)|^https?:|^data:image/png", address)]
+              if not re.search(r"\.html(#|$)|^https?:|^data:image/(png|webp);base64,", address)]
     assert sorted(wanted) == ["kinlab.css", "kinlab.js"]
-    assert not re.search(r'<img (?![^>]*src="data:image/png)', text)
+    assert not re.search(r'<img (?![^>]*src="data:image/(png|webp);base64,)', text)
     assert not re.search(r"<(iframe|object|embed|video|audio|source|base)\b", text)
     assert not re.search(r"url\((?!#)|@import|type=\"module\"|mathjax|require\.js", text, re.I)
     assert not re.search(r'(?:src|srcset|poster)="(?:[a-z]+:)?//', text)
@@ -97,8 +97,10 @@ def test_every_view_moves_and_no_cell_is_lost(saved, text):
     views = views_of(saved)
     pictures = sum("image/png" in output.get("data", {})
                    for cell in saved.cells for output in cell.get("outputs", ()))
-    assert text.count("<img ") == pictures - len(views)
-    assert views and len(re.findall('<div class="kl-view[ "]', text)) == len(views)
+    stills = len(re.findall('<img class="kl-still" [^>]*src="data:image/webp;base64,', text))
+    assert (stills, text.count("<img ")) == (len(views), pictures)
+    assert views and len(re.findall('<div class="kl-view[ "][^>]*>\n<img class="kl-still"',
+                                    text)) == len(views)
     assert text.count('<script type="application/json">') == len(views)
     checks = [cell for cell in saved.cells if "check" in cell.metadata.get("tags", ())]
     code = [cell for cell in saved.cells if cell.cell_type == "code"]
@@ -112,7 +114,7 @@ def test_every_view_moves_and_no_cell_is_lost(saved, text):
 def test_views_begin_as_their_cells_left_them(saved, text):
     """Not as a later cell leaves them: it is the picture that the text beside it describes."""
     views = views_of(saved)
-    spoken = [word for word in re.findall(r'aria-label="Picture of the arm. ([^"]*)"', text)]
+    spoken = re.findall(r'<img class="kl-still" alt="Picture of the arm. ([^"]*)"', text)
     assert [view.data["text/plain"] for view in views] == list(map(unescape, spoken))
 
 

@@ -77,7 +77,8 @@ def names(folder):
 
 
 def test_the_installed_package_is_the_one_in_use(scripts, here):
-    where = done(scripts / "python", "-c", "import kinlab; print(kinlab.__file__)", cwd=here)
+    where = done(scripts / "python", "-c", "import kinlab; print(kinlab.__file__)", cwd=here,
+                 env={key: text for key, text in os.environ.items() if key != "PYTHONPATH"})
     assert Path(where).is_relative_to(scripts.parent)
 
 
