@@ -90,6 +90,7 @@ def fixed() -> LiveView:
 def spatial() -> LiveView:
     """A frame in space: it slides along x, y, z, then turns about its z, then about its x."""
     sketch = Sketch("A frame in space", 3.4, planar=False)
+    sketch.presets["3-D"] = (-40.0, 24.0)  # from -60 the two arrows seem to be one
     sketch.follows = True
     slides = [sketch.knob(Knob.length(f"o_{axis}", f"o₁⁰, {axis}", -1.2, 1.2, home))
               for axis, home in zip("xyz", (1.0, 0.5, 0.8))]
