@@ -1,6 +1,6 @@
 """One link of an arm as textbooks draw it: its four parameters measured, its four motions done.
 
-The arm is drawn as ever, but of the frames only i-1 and i stay. Angles (theta, alpha) are arcs,
+Other links are paler, and of the frames only i-1 and i stay. Angles (theta, alpha) are arcs,
 lengths (d, a) are dimension lines, each kind in the colour that it has in formulas.
 """
 from __future__ import annotations

@@ -57,8 +57,9 @@ def velocity_view(arm: Arm, q: Any = None) -> LiveView:
 def parameters_view(arm: Arm, link: int, q: Any = None) -> LiveView:
     """The four DH parameters of a link, drawn on the arm and moving with it.
 
-    Angles are arcs, lengths are dimension lines. Beside the picture stand the matrix from frame
-    i-1 to frame i and how each parameter is measured; what is zero for ever is not drawn.
+    Angles are arcs, lengths are dimension lines; other links are pale. Beside the picture stand the
+    matrix from frame i-1 to frame i and how each parameter is measured; what is zero for ever is
+    not drawn.
 
     Parameters
     ----------

@@ -18,9 +18,10 @@ from .live import numbers
 class TargetView(JointView):
     """An arm that follows a target which is dragged in the picture.
 
-    Drag the ring, or set its coordinates by their sliders: the joints follow by damped steps of
+    Drag the target, or set its coordinates by their sliders: the joints follow by damped steps of
     inverse kinematics, for the tool point alone. Move a joint, and the target rides on the tool.
-    A planar arm keeps to its plane; in space the ring moves in the plane of the picture.
+    A planar arm keeps to its plane, and its target is a ring. In space the target has three rings
+    and moves in the plane of the picture.
 
     Parameters
     ----------
