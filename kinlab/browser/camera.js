@@ -20,6 +20,12 @@ const LEAST_BOX = 0.5, LEAST_BALL = 1.5;            // in radii: the least box, 
 const SOFT = 0.2;                                   // radii over which one bound relieves another
 
 /**
+ * Where a point is on the picture, whatever the size of things there.
+ * @type {(lens: Pick<Lens, "see">, point: Triple) => number[]}
+ */
+export const onPicture = (lens, point) => lens.see(point).slice(0, 2);
+
+/**
  * The picture's right, its up and the way to the viewer, as directions of the room.
  * @param {Pick<Camera, "azimuth" | "elevation">} camera
  */

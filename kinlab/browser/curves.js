@@ -1,7 +1,7 @@
 // Curves that knobs shape, as in kinlab/drawing/curves.py: where a motion carries a point, and a
 // way as far as it has gone.
 
-import { ROTATE, inRoom, travel } from "./frames.js";
+import { ROTATE, roomPoint, travel } from "./frames.js";
 import { clip } from "./steps.js";
 import { cross, dot, minus, partway, plus, times } from "./vectors.js";
 
@@ -77,6 +77,6 @@ export const isThere = ({ when }, q) => !when || (q[when[0]] >= when[1] && q[whe
  * @returns {Triple[]}
  */
 export function cornersOf({ shape, points, size = [] }, now) {
-  const room = points.map(([k, ...local]) => inRoom(now.all[k], local));
+  const room = points.map((point) => roomPoint(now.all, point));
   return SHAPED[shape]?.(room, size, now) ?? room;
 }

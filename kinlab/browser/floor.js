@@ -1,9 +1,10 @@
 // The ground as points of the picture: a grid with numbers, shadows, and lines dropped on it.
 // kinlab/drawing/floor.py does the same.
 
+import { onPicture } from "./camera.js";
 import { number } from "./dom.js";
-import { textSize } from "./labels.js";
-import { hull } from "./solids.js";
+import { extent, keep, textSize } from "./labels.js";
+import { circleOf, hull } from "./solids.js";
 import { clip } from "./steps.js";
 import { minus, plus, times } from "./vectors.js";
 
@@ -35,14 +36,8 @@ const FOOT_DOWN = 15, FOOT_ASIDE = 44, NEAR_MIDDLE = 150, HIGH_ASIDE = 6, LONG =
 const EVERY = [1, 2, 5, 10, 20, 50, 100];
 const SQUARE = [[1, 1], [1, -1], [-1, -1], [-1, 1]];
 
-/** @type {(count: number) => number[][]} */
-const roundOf = (count) => Array.from({ length: count }, (_, k) => 2 * Math.PI * k / count)
-  .map((angle) => [Math.cos(angle), Math.sin(angle)]);
-
-const RIM_CIRCLE = roundOf(RIM_SIDES), DISC = roundOf(DISC_SIDES), SMALL_RING = roundOf(RING_SIDES);
-
-/** @type {(lens: Lens, point: Triple) => Px} */
-const spotOf = (lens, point) => lens.see(point).slice(0, 2);
+const RIM_CIRCLE = circleOf(RIM_SIDES), DISC = circleOf(DISC_SIDES),
+      SMALL_RING = circleOf(RING_SIDES);
 
 /**
  * The floor as seen through a lens, on a picture of this size.
@@ -55,14 +50,14 @@ export function ground(floor, lens, size) {
   const { height, reach } = floor, middle = [0, 0, height], fade = fadeOf(floor, lens);
   const across = (/** @type {number} */ k, /** @type {number} */ at) => [-1, 1].map((side) => {
     const half = side * Math.sqrt(Math.max(0, reach * reach - at * at));
-    return spotOf(lens, k ? [at, half, height] : [half, at, height]);
+    return onPicture(lens, k ? [at, half, height] : [half, at, height]);
   });
   const grid = [1, 0].flatMap((k) => marks(floor).map((i) => across(k, i * floor.step)));
   const below = lens.eye(middle)[2] < 0;
   const x = numbersOn(floor, lens, size, "x", fade, below);
   const y = giveWay(numbersOn(floor, lens, size, "y", fade, below), x.map(boxOf));
   return { below, grid, rulers: [across(0, 0), across(1, 0)], fade,
-           rim: RIM_CIRCLE.map(([c, s]) => spotOf(lens, [reach * c, reach * s, height])),
+           rim: RIM_CIRCLE.map(([c, s]) => onPicture(lens, [reach * c, reach * s, height])),
            numbers: [...x, ...y.filter(({ opacity }) => opacity > 0)] };
 }
 
@@ -123,7 +118,7 @@ export function giveWay(numbers, boxes) {
 function numbersOn(floor, lens, size, axis, fade, below) {
   const { step, height } = floor, all = marks(floor);
   const at = (/** @type {number} */ i) =>
-    spotOf(lens, axis === "x" ? [i * step, 0, height] : [0, i * step, height]);
+    onPicture(lens, axis === "x" ? [i * step, 0, height] : [0, i * step, height]);
   const [from, to] = [at(0), at(1)], gap = Math.hypot(to[0] - from[0], to[1] - from[1]);
   if (gap < SHORTEST || !all.length) return [];
   const way = to.map((e, k) => (e - from[k]) / gap), side = viewersSide(way, below);
@@ -138,7 +133,7 @@ function numbersOn(floor, lens, size, axis, fade, below) {
 
 /** @type {(text: string, point: Px, side: number[]) => Words} */
 function besideRuler(text, point, [x, y]) {
-  const [w, h] = textSize(text), far = (Math.abs(x) * w + Math.abs(y) * h) / 2 + NUMBER_GAP;
+  const [w, h] = textSize(text), far = extent({ w, h }, x, y) + NUMBER_GAP;
   return { text, place: [point[0] + far * x, point[1] + far * y], w, h };
 }
 
@@ -189,7 +184,7 @@ const marked = (value, digits) =>
  */
 export function shadow({ height }, lens, solids) {
   return solids.map((solid) =>
-    hull(casting(solid).map(([x, y]) => spotOf(lens, [x, y, height]))));
+    hull(casting(solid).map(([x, y]) => onPicture(lens, [x, y, height]))));
 }
 
 /**
@@ -227,10 +222,10 @@ function disc([x, y], radius, [a, b, c]) {
  */
 export function drop(floor, lens, size, point) {
   const [x, y, z] = point, { height, decimals } = floor, below = [x, y, height];
-  const [from, foot, origin] = [point, below, [0, 0, height]].map((p) => spotOf(lens, p));
-  const guides = [[x, 0, height], [0, y, height]].map((end) => [foot, spotOf(lens, end)]);
+  const [from, foot, origin] = [point, below, [0, 0, height]].map((p) => onPicture(lens, p));
+  const guides = [[x, 0, height], [0, y, height]].map((end) => [foot, onPicture(lens, end)]);
   const ring = SMALL_RING.map(([c, s]) =>
-    spotOf(lens, plus(below, times([c, s, 0], RING / lens.scale))));
+    onPicture(lens, plus(below, times([c, s, 0], RING / lens.scale))));
   const [p, q, r] = [x, y, z].map((value) => number(value, decimals));
   const texts = [footWords(`(${p}, ${q})`, from, foot, origin, size),
                  heightWords(`z ${r}`, from, foot, origin, size)];
@@ -265,11 +260,7 @@ function heightWords(text, from, foot, origin, size) {
 /** @type {(text: string, place: Px, size: number[]) => Words} */
 function words(text, place, size) {
   const [w, h] = textSize(text);
-  const kept = [w, h].map((length, k) => {
-    const half = Math.min(length / 2 + INSIDE, size[k] / 2);
-    return clip(place[k], half, size[k] - half);
-  });
-  return { text, place: kept, w, h };
+  return { text, place: [w, h].map((length, k) => keep(place[k], length, size[k])), w, h };
 }
 
 /**

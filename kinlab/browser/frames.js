@@ -3,7 +3,7 @@
 import { clip } from "./steps.js";
 import { cross, dot } from "./vectors.js";
 
-/** @import { Elementary, Frame, Motion, Triple, Velocity } from "./types.js" */
+/** @import { Elementary, Frame, Motion, Point, Triple, Velocity } from "./types.js" */
 
 export const ROTATE = "rotate";
 const VELOCITY = "velocity";
@@ -124,3 +124,20 @@ export const seenFrom = ([x, y, z, o], [u, v, w, p]) =>
  */
 export const inRoom = ([x, y, z, o], [a, b, c]) =>
   o.map((_, k) => o[k] + a * x[k] + b * y[k] + c * z[k]);
+
+/**
+ * A point of a scene, in the room.
+ * @type {(all: Frame[], point: Point) => Triple}
+ */
+export const roomPoint = (all, [k, ...local]) => inRoom(all[k], local);
+
+/**
+ * The motions from a frame back to the room, by the numbers of the frames that they lead to.
+ * @param {Motion[]} motions
+ * @param {number} frame
+ */
+export function branch(motions, frame) {
+  const way = [];
+  for (let k = frame; k > 0; k = motions[k - 1].parent ?? k - 1) way.push(k);
+  return way;
+}

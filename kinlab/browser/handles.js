@@ -2,7 +2,7 @@
 // One joint follows on its own circle or line; several share the work in damped steps.
 
 import { descend, kept } from "./chase.js";
-import { ROTATE, frames, inRoom, travel } from "./frames.js";
+import { ROTATE, branch, frames, inRoom, roomPoint, travel } from "./frames.js";
 import { cross, dot, minus, norm, plus, times, unit } from "./vectors.js";
 
 /** @import { Elementary, Frame, Handle, Item, Lens, Motion, Scene, Triple } from "./types.js" */
@@ -19,17 +19,8 @@ const NUDGE = 1e-6;       // of a knob, for slopes
 
 // ---- where things are ----
 
-/**
- * Numbers of the motions that lead from the room to a frame.
- * @param {Motion[]} motions
- * @param {number} frame
- */
-function wayTo(motions, frame) {
-  /** @type {number[]} */
-  const way = [];
-  for (let k = frame; k > 0; k = motions[k - 1].parent ?? k - 1) way.unshift(k - 1);
-  return way;
-}
+/** @type {(motions: Motion[], frame: number) => number[]} */
+const wayTo = (motions, frame) => branch(motions, frame).reverse().map((k) => k - 1);
 
 /**
  * The same motions as a chain without branches. Nobody holds the end of a velocity.
@@ -96,7 +87,7 @@ export const roundness = ({ shape, size }) => shape === "box" ? 0 : size?.[0] ??
  * @param {Lens} lens
  */
 export function touched(item, all, hand, lens) {
-  const ends = item.points.slice(0, 2).map(([k, ...local]) => inRoom(all[k], local));
+  const ends = item.points.slice(0, 2).map((point) => roomPoint(all, point));
   const [from, to = from] = ends.map((end) => lens.see(end)), [first, last = first] = ends;
   const [dx, dy] = [to[0] - from[0], to[1] - from[1]], square = dx * dx + dy * dy;
   const along = ((hand[0] - from[0]) * dx + (hand[1] - from[1]) * dy) / (square || 1);
@@ -264,8 +255,8 @@ export function pullPoint(scene, { point: [frame, ...local], knobs: movers }, pl
  * @returns {Pull}
  */
 export function pullHandle(scene, handle, start) {
-  const { point: [frame, ...local], knobs } = handle, place = inRoom(start.all[frame], local);
-  const driven = wayTo(scene.motions, frame).filter((k) => drives(scene.motions[k], knobs[0]));
+  const { point, knobs } = handle, place = roomPoint(start.all, point);
+  const driven = wayTo(scene.motions, point[0]).filter((k) => drives(scene.motions[k], knobs[0]));
   return knobs.length === 1 && driven.length === 1 && plain(scene.motions[driven[0]])
     ? pullJoint(scene, driven[0], place, start) : pullPoint(scene, handle, place);
 }

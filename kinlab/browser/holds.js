@@ -2,7 +2,7 @@
 // Each has an element that takes the focus, tells its name and state, and a ring in the picture.
 
 import { make, number, tidy } from "./dom.js";
-import { inRoom } from "./frames.js";
+import { roomPoint } from "./frames.js";
 import { jointMotion } from "./handles.js";
 
 /** @import { Frame, Handle, Item, Lens, Scene } from "./types.js" */
@@ -51,9 +51,7 @@ export class Hold {
    * @param {Frame[]} all
    */
   place(all) {
-    if (!this.handle) return all[this.motion + 1][3];
-    const [frame, ...local] = this.handle.point;
-    return inRoom(all[frame], local);
+    return this.handle ? roomPoint(all, this.handle.point) : all[this.motion + 1][3];
   }
 
   /**

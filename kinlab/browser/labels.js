@@ -98,7 +98,7 @@ function seat(label, index) {
  * How far a box reaches from its middle in a direction.
  * @type {(box: { w: number, h: number }, x: number, y: number) => number}
  */
-const extent = ({ w, h }, x, y) => (Math.abs(x) * w + Math.abs(y) * h) / 2;
+export const extent = ({ w, h }, x, y) => (Math.abs(x) * w + Math.abs(y) * h) / 2;
 
 /**
  * Where a label wants to stand, seen from its anchor: spot 0 is beside the arrowhead, the others
@@ -265,8 +265,11 @@ function goOn(one, most, [width, height]) {
   return Math.hypot(one.x - x, one.y - y);
 }
 
-/** @type {(middle: number, length: number, room: number) => number} */
-function keep(middle, length, room) {
+/**
+ * The middle of words inside the picture that would stand about there.
+ * @type {(middle: number, length: number, room: number) => number}
+ */
+export function keep(middle, length, room) {
   const half = Math.min(length / 2 + RIM, room / 2);
   return clip(middle, half, room - half);
 }

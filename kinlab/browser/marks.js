@@ -1,9 +1,8 @@
 // What a joint that is pointed at has done, drawn on the picture: the angle by which it has turned
 // as an arc, the length by which it has slid as a dimension line, each with its name and value.
 
-import { ROTATE, travel } from "./frames.js";
+import { ROTATE, branch, travel } from "./frames.js";
 import { textSize } from "./labels.js";
-import { branch } from "./pointing.js";
 import { drawn, polygon, polyline, px } from "./svg.js";
 import { minus, plus, times } from "./vectors.js";
 

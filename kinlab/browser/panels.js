@@ -1,9 +1,9 @@
 // What stands under the picture and follows it: the tool's pose, formulas, a target's error.
 
 import { make, number, rewrite } from "./dom.js";
-import { ROTATE, inRoom, travel } from "./frames.js";
+import { ROTATE, roomPoint, travel } from "./frames.js";
 import { clip } from "./steps.js";
-import { dot } from "./vectors.js";
+import { dot, minus, norm } from "./vectors.js";
 
 /** @import { Amount, Elementary, Entry, Frame, Part, Pose, Scene, Solved } from "./types.js" */
 /** @import { TargetScene, Vector, Volume } from "./types.js" */
@@ -79,8 +79,7 @@ export function readingLines({ readings, decimals, motions }) {
   }
   /** @type {(part: Vector, all: Frame[]) => string} */
   const vector = ({ tail, head, frame, size, scale }, all) => {
-    const [from, to] = [tail, head].map(([k, ...local]) => inRoom(all[k], local));
-    const arrow = to.map((e, k) => e - from[k]);
+    const arrow = minus(roomPoint(all, head), roomPoint(all, tail));
     const parts = all[frame].slice(0, size)
       .map((axis) => number(scale * dot(axis, arrow), decimals));
     return size > 1 ? `(${parts.join(", ")})` : parts[0];
@@ -115,8 +114,8 @@ export function readingLines({ readings, decimals, motions }) {
  * @param {Solved | null} solved
  */
 export function missed(scene, all, solved) {
-  const { frame, tip, unit } = scene.target, gap = all[frame][3].map((v, k) => v - all[tip][3][k]);
-  const error = Math.hypot(...gap), far = error > 1e-4 * scene.radius;
+  const { frame, tip, unit } = scene.target, error = norm(minus(all[frame][3], all[tip][3]));
+  const far = error > 1e-4 * scene.radius;
   const taken = solved ? ` after ${solved.steps} iteration${solved.steps === 1 ? "" : "s"}` : "";
   return `error |p* − p| = ${number(error, scene.decimals)} ${unit}${taken}` +
     (far && solved ? ": the arm gets no nearer from here" : "");

@@ -1,12 +1,13 @@
 // What a scene's items become in an SVG picture: solids, axes of frames, strokes and words.
 
+import { onPicture } from "./camera.js";
 import { isThere } from "./curves.js";
-import { inRoom } from "./frames.js";
+import { roomPoint } from "./frames.js";
 import { textSize } from "./labels.js";
 import { OFFSETS, dimmed, faces, hull, pale, shades } from "./solids.js";
 import { drawn, polygon, polyline, put, px, reveal } from "./svg.js";
 import { clip } from "./steps.js";
-import { minus, norm, partway, plus, times, unit } from "./vectors.js";
+import { dot, minus, norm, partway, plus, times, unit } from "./vectors.js";
 
 /** @import { Face, Frame, Item, Lens, Paint, Triple } from "./types.js" */
 /** @import { Label, LabelState, Placed } from "./labels.js" */
@@ -60,7 +61,7 @@ export class Part {
    * Where its points are in the room.
    * @param {Frame[]} at
    */
-  places(at) { return this.item.points.map(([k, ...local]) => inRoom(at[k], local)); }
+  places(at) { return this.item.points.map((point) => roomPoint(at, point)); }
 }
 
 // ---- solids ----
@@ -333,10 +334,11 @@ export class Axis extends Part {
   /** @param {Lens} lens */
   draw(lens) {
     if (!this.ends) return;
-    const [origin, skin, tip] = [this.ends.origin, this.ends.skin, this.ends.tip].map(lens.see);
+    const [origin, skin, tip] = [this.ends.origin, this.ends.skin, this.ends.tip]
+      .map((point) => onPicture(lens, point));
     put(this.path, "d", polygon(arrowPoints([skin, tip])));
     put(this.hint, "d", polygon(arrowPoints([origin, tip])));
-    this.stroke = { a: origin.slice(0, 2), b: tip.slice(0, 2) };
+    this.stroke = { a: origin, b: tip };
   }
 }
 
@@ -381,10 +383,10 @@ export class Stroke extends Part {
 
   /** @param {Lens} lens @param {Triple[]} room where its points are */
   draw(lens, room) {
-    const points = room.map(lens.see);
+    const points = room.map((point) => onPicture(lens, point));
     put(this.path, "d", PATHS[this.item.shape](points));
-    this.near = this.item.lift + room.reduce((sum, p) => sum + depthOf(p, lens), 0) / room.length;
-    this.stroke = keptOff(this.item, points.map((point) => point.slice(0, 2)));
+    this.near = this.item.lift + room.reduce((sum, p) => sum + dot(p, lens.near), 0) / room.length;
+    this.stroke = keptOff(this.item, points);
   }
 }
 
@@ -401,9 +403,6 @@ function keptOff({ shape, part }, points) {
   const corners = points.filter((_, k) => k % PIECE === 0 || k === points.length - 1);
   return corners.slice(1).map((b, k) => ({ a: corners[k], b }));
 }
-
-/** @type {(point: Triple, lens: Lens) => number} */
-const depthOf = (point, { near }) => near.reduce((sum, e, k) => sum + e * point[k], 0);
 
 // ---- words ----
 
@@ -438,7 +437,7 @@ export class Words extends Part {
     const places = this.places(at), axis = this.item.shape === "name";
     const ends = axis ? axisEnds(places, this.item.size, lens, picture) : null;
     const [anchor, away] = [ends?.tip ?? places[0], ends?.origin ?? places[1] ?? null]
-      .map((point) => point && lens.see(point).slice(0, 2));
+      .map((point) => point && onPicture(lens, point));
     const from = axis || !away ? away : besideOf(anchor ?? away, away);
     const [w, h] = this.box;
     return { anchor: anchor ?? [0, 0], from, w, h, state: this.state };

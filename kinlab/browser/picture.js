@@ -6,7 +6,7 @@ import { lens } from "./camera.js";
 import { Cloud } from "./cloud.js";
 import { cornersOf } from "./curves.js";
 import { FloorPart } from "./floor_part.js";
-import { frames, inRoom } from "./frames.js";
+import { frames, roomPoint } from "./frames.js";
 import { place } from "./labels.js";
 import { backToFront } from "./order.js";
 import { Axis, Solid, Stroke, Words, whole } from "./parts.js";
@@ -26,6 +26,9 @@ const LABEL_STEPS = 3;                              // towards its place, in eac
 const UNFRAMED = ["axes", "ghost", "trace"];        // layers that may leave the picture
 const SOLID_SHAPES = ["tube", "ball", "box"], WORD_SHAPES = ["text", "name"];
 const FRAME_PARTS = ["frame", "label"];
+
+/** @type {(point: Triple) => [Triple, number]} */
+const bare = (point) => [point, 0];                 // without a body round it
 
 export class Picture {
   /**
@@ -174,13 +177,13 @@ export class Picture {
     const bodies = this.solids.filter(({ paint }) => !paint.faded)
       .flatMap((solid) => solid.balls(at));
     const beside = this.strokes.filter(({ item }) => !UNFRAMED.includes(item.layer))
-      .flatMap(({ item }) => cornersOf(item, { motions, all: at, q }).map((point) => [point, 0]));
+      .flatMap(({ item }) => cornersOf(item, { motions, all: at, q }));
     const feet = (floor?.drops ?? []).flatMap((k) => {
-      const [x, y, z] = at[k][3];
-      return [[[x, y, z], 0], [[x, y, floor?.height ?? 0], 0]];
+      const [x, y] = at[k][3];
+      return [at[k][3], [x, y, floor?.height ?? 0]];
     });
-    const points = (fit?.points ?? []).map(([k, ...local]) => [inRoom(at[k], local), 0]);
-    return /** @type {[Triple, number][]} */ ([...bodies, ...beside, ...feet, ...points]);
+    const named = (fit?.points ?? []).map((point) => roomPoint(at, point));
+    return [...bodies, ...[...beside, ...feet, ...named].map(bare)];
   }
 
   /**

@@ -1,6 +1,7 @@
 // What is pointed at in a view. Picture, sliders, tables and formulas tell it when a hand is on one
 // of their parts, and hear of it, so that all that belongs to a joint lights up together.
 
+import { branch } from "./frames.js";
 import { clip } from "./steps.js";
 
 /** @import { Elementary, Item, Knob, Motion, Pointed, Scene, Spot } from "./types.js" */
@@ -9,17 +10,6 @@ import { clip } from "./steps.js";
 
 /** @type {Source[]} */
 const SOURCES = ["hover", "word", "tap", "focus"];  // the first of them that points counts
-
-/**
- * The motions from the room to a frame, by the numbers of the frames that they lead to.
- * @param {Motion[]} motions
- * @param {number} frame
- */
-export function branch(motions, frame) {
-  const way = [];
-  for (let k = frame; k > 0; k = motions[k - 1].parent ?? k - 1) way.push(k);
-  return way;
-}
 
 /** @type {(motions: Motion[], way: number[], joint: number) => boolean} */
 const carries = (motions, way, joint) =>

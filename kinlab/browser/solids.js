@@ -1,6 +1,7 @@
 // Solids as lit faces on the picture, as in kinlab/drawing/solids.py. A round body is one outline
 // with a gradient across it: it looks like many narrow faces, without their seams.
 
+import { onPicture } from "./camera.js";
 import { clip } from "./steps.js";
 import { cross, dot, minus, norm, partway, plus, times, unit } from "./vectors.js";
 
@@ -57,8 +58,11 @@ export const pale = (colour) => `color-mix(in srgb, ${colour} 45%, var(--kl-pape
 
 // ---- outlines ----
 
-/** @type {(count: number) => number[][]} */
-const circleOf = (count) => Array.from({ length: count }, (_, k) => 2 * Math.PI * k / count)
+/**
+ * Directions of so many corners of a circle of radius 1.
+ * @type {(count: number) => number[][]}
+ */
+export const circleOf = (count) => Array.from({ length: count }, (_, k) => 2 * Math.PI * k / count)
   .map((angle) => [Math.cos(angle), Math.sin(angle)]);
 
 const COARSE = circleOf(18), FINE = circleOf(36), SMALL = 34;   // px: the radius of a coarse one
@@ -88,12 +92,6 @@ export function hull(points) {
   const ordered = [...points].sort((p, q) => p[0] - q[0] || p[1] - q[1]);
   const under = halfHull(ordered), over = halfHull(ordered.reverse());
   return [...under.slice(0, -1), ...over.slice(0, -1)];
-}
-
-/** @type {(lens: Lens, point: Triple) => number[]} */
-function onPicture(lens, point) {
-  const [right, down] = lens.see(point);
-  return [right, down];
 }
 
 /** @type {(...details: [Face["role"], number[][], number]) => Face} */

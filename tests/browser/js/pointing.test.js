@@ -1,8 +1,9 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
+import { branch } from "../../../kinlab/browser/frames.js";
 import { arcFigure, slideFigure } from "../../../kinlab/browser/marks.js";
-import { Pointing, belonging, branch, holdings, inWords, pictured, ties }
+import { Pointing, belonging, holdings, inWords, pictured, ties }
   from "../../../kinlab/browser/pointing.js";
 import { readTerm } from "../../../kinlab/browser/terms.js";
 
