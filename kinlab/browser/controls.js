@@ -2,7 +2,7 @@
 
 import { make, tidy } from "./dom.js";
 import { read } from "./numbers.js";
-import { KEYS, clip, snap, stepped } from "./steps.js";
+import { KEYS, clip, replaced, snap, stepped, stopsOf } from "./steps.js";
 
 /** @import { Joints, Knob } from "./types.js" */
 
@@ -48,15 +48,9 @@ class Row {
     this.listen();
   }
 
-  /** Limits and step in the slider's unit. */
-  get units() {
-    const { low, high, scale, step } = this.knob;
-    return { low: low / scale, high: high / scale, step };
-  }
-
   /** As far as it may go now: of two handles on a track neither passes the other. */
   get reach() {
-    const { low, high, step } = this.units, all = this.all.ends(this.knob);
+    const { low, high, step } = stopsOf(this.knob), all = this.all.ends(this.knob);
     const at = all.indexOf(this), before = all[at - 1]?.value, after = all[at + 1]?.value;
     return { low: Math.max(low, before ?? low), high: Math.min(high, after ?? high), step };
   }
@@ -238,7 +232,7 @@ export class Controls {
    * @param {Knob} knob
    */
   track(knob) {
-    const all = this.ends(knob).map(({ units }) => units);
+    const all = this.ends(knob).map((row) => stopsOf(row.knob));
     return { low: Math.min(...all.map(({ low }) => low)),
              high: Math.max(...all.map(({ high }) => high)) };
   }
@@ -279,7 +273,7 @@ export class Controls {
    */
   write(knob, value) {
     const i = this.knobs.indexOf(knob);
-    this.joints?.write(this.joints.read().map((old, k) => k === i ? value * knob.scale : old));
+    this.joints?.write(replaced(this.joints.read(), i, value * knob.scale));
   }
 
   /** Why some fields cannot be read. */

@@ -1,5 +1,6 @@
 // Elements of a page, buttons, and numbers as print has them.
 
+/** @import { Knob } from "./types.js" */
 /** @typedef {(pressed: HTMLButtonElement) => void} Action */
 
 /**
@@ -18,6 +19,9 @@ export function make(tag, attributes = {}, ...children) {
   return node;
 }
 
+/** What a notebook asks of an element whose keys it is not to hear. */
+export const OWN_KEYS = { "data-lm-suppress-shortcuts": "true" };
+
 /**
  * A button that calls `action` with itself.
  * @param {string} text
@@ -27,7 +31,7 @@ export function make(tag, attributes = {}, ...children) {
  */
 export function button(text, title, action, attributes = {}) {
   const node = make("button", { type: "button", class: "kl-button", title,
-    "data-lm-suppress-shortcuts": "true", ...attributes }, text);   // a notebook has keys, too
+    ...OWN_KEYS, ...attributes }, text);
   node.addEventListener("click", () => action(node));
   return node;
 }
@@ -39,6 +43,30 @@ export function button(text, title, action, attributes = {}) {
  */
 export const group = (label, ...buttons) =>
   make("span", { class: "kl-group", role: "group", "aria-label": label }, ...buttons);
+
+/**
+ * Keep an event to oneself: a page would scroll, and a notebook has uses for the keys, too.
+ * @param {Event} event
+ */
+export function claim(event) {
+  event.preventDefault();
+  event.stopPropagation();
+}
+
+/**
+ * Hear of events by their names.
+ * @param {EventTarget} target
+ * @param {Record<string, (event: any) => void>} heard
+ * @param {boolean} early before the parts of the target hear of them
+ * @returns {() => void} ends it
+ */
+export function hear(target, heard, early = false) {
+  const all = Object.entries(heard);
+  for (const [name, act] of all) target.addEventListener(name, act, early);
+  return () => {
+    for (const [name, act] of all) target.removeEventListener(name, act, early);
+  };
+}
 
 /**
  * Set an element's text, if it is another: a page need not be laid out for what it shows.
@@ -77,6 +105,14 @@ export function number(value, decimals) {
   const text = value.toFixed(decimals);
   return Number(text) === 0 ? (0).toFixed(decimals) : text.replace("-", "\u2212");
 }
+
+/**
+ * The value of a knob with its name and unit, as its slider shows it.
+ * @param {Knob} knob
+ * @param {number} value in the scene's units
+ */
+export const valued = ({ label, scale, digits, suffix }, value) =>
+  `${label} = ${number(value / scale, digits)}${suffix}`;
 
 /**
  * Digits, and the tool's E, as an index: what subscript in kinlab/drawing/controls.py does.

@@ -1,6 +1,8 @@
 // Entries that change flash once: not at every step of a drag, and not where the reader has asked
 // the system for less motion.
 
+import { wantsCalm } from "./player.js";
+
 const REST = 500;                                   // ms without a change: the movement is over
 
 export class Flashes {
@@ -17,7 +19,7 @@ export class Flashes {
     if (!nodes.length) return;
     clearTimeout(this.timer);
     this.timer = setTimeout(() => this.done.clear(), REST);
-    const calm = matchMedia("(prefers-reduced-motion: reduce)").matches;
+    const calm = wantsCalm();
     for (const node of nodes) {
       if (this.done.has(node)) continue;
       this.done.add(node);

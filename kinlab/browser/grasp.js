@@ -1,10 +1,11 @@
 // Hands on the picture: what can be held there is dragged by a pointer or moved by keys.
 
-import { make, write } from "./dom.js";
+import { claim, hear, make, write } from "./dom.js";
 import { chainTo, pullHandle, pullJoint, roundness, speeds, touched } from "./handles.js";
 import { frames } from "./frames.js";
 import { holdsOf, seenFlat } from "./holds.js";
-import { KEYS, stepped } from "./steps.js";
+import { KEYS, replaced, stepped, stopsOf } from "./steps.js";
+import { drawn } from "./svg.js";
 
 /** @import { Hold } from "./holds.js" */
 /** @import { Spot } from "./handles.js" */
@@ -49,9 +50,7 @@ export class Grasp {
     this.flat = seenFlat(this.scene);
     box.classList.toggle("kl-turns", !this.flat);
     this.spoken = make("div", { class: "kl-spoken", role: "status" });
-    this.rings = document.createElementNS("http://www.w3.org/2000/svg", "g");
-    this.rings.setAttribute("data-part", "handles");
-    this.rings.append(...holds.map(({ ring }) => ring));
+    this.rings = drawn("g", { "data-part": "handles" }, ...holds.map(({ ring }) => ring));
     box.append(...holds.map(({ node }) => node), this.spoken);
     this.always = matchMedia("(hover: none)").matches;   // no pointer that finds them
     this.listen();
@@ -59,17 +58,15 @@ export class Grasp {
 
   listen() {
     const { box } = this;
-    box.addEventListener("pointermove", (event) => this.hover(event));
-    box.addEventListener("pointerleave", () => this.approach(null));
     // A finger that holds something does not scroll the page.
-    box.addEventListener("touchmove", (event) => { if (this.held) event.preventDefault(); },
-                         { passive: false });
-    box.addEventListener("touchstart", (event) => { if (this.held) event.preventDefault(); },
-                         { passive: false });
-    box.addEventListener("keydown", (event) => this.command(event));
+    const stay = (/** @type {Event} */ event) => { if (this.held) event.preventDefault(); };
+    for (const touch of ["touchstart", "touchmove"]) {
+      box.addEventListener(touch, stay, { passive: false });
+    }
+    hear(box, { pointermove: (event) => this.hover(event), pointerleave: () => this.approach(null),
+                keydown: (event) => this.command(event) });
     for (const hold of this.holds) {
-      hold.node.addEventListener("blur", () => this.leave(hold));
-      hold.node.addEventListener("keydown", (event) => this.key(event, hold));
+      hear(hold.node, { blur: () => this.leave(hold), keydown: (event) => this.key(event, hold) });
     }
   }
 
@@ -230,8 +227,7 @@ export class Grasp {
     if (!undo && (end == null || !this.holds.length)) return;
     if (undo) this.undo();
     else this.enter(this.holds[end === -1 ? this.holds.length - 1 : 0]);
-    event.preventDefault();
-    event.stopPropagation();
+    claim(event);
   }
 
   /**
@@ -268,8 +264,7 @@ export class Grasp {
     else if (on) this.enter(next);
     else if (key in (hold.alone ? KEYS : TOWARDS)) this.nudge(hold, key, shiftKey);
     else return;
-    event.preventDefault();
-    event.stopPropagation();
+    claim(event);
   }
 
   /**
@@ -281,10 +276,9 @@ export class Grasp {
   nudge(hold, key, fine) {
     const q = this.joints.read(), before = q.slice();
     const [knob, steps] = hold.alone ? [hold.knobs[0], KEYS[key]] : this.along(hold, TOWARDS[key]);
-    const { low, high, scale, step } = this.scene.knobs[knob];
-    const units = { low: low / scale, high: high / scale, step };
-    this.joints.write(steps ? q.map((value, i) => i === knob
-      ? stepped(value / scale, steps, fine, units) * scale : value)
+    const one = this.scene.knobs[knob], { scale } = one;
+    this.joints.write(steps
+      ? replaced(q, knob, stepped(q[knob] / scale, steps, fine, stopsOf(one)) * scale)
       : this.carried(hold, TOWARDS[key], fine));
     this.remember(before);
   }

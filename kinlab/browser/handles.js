@@ -3,6 +3,7 @@
 
 import { descend, kept } from "./chase.js";
 import { ROTATE, branch, frames, inRoom, roomPoint, travel } from "./frames.js";
+import { clip, replaced } from "./steps.js";
 import { cross, dot, minus, norm, plus, times, unit } from "./vectors.js";
 
 /** @import { Elementary, Frame, Handle, Item, Lens, Motion, Scene, Triple } from "./types.js" */
@@ -41,7 +42,7 @@ const drives = (motion, knob) => motion.kind !== "velocity" &&
 function slope(motion, q, knob) {
   if (!drives(motion, knob)) return 0;
   const [ahead, behind] = [NUDGE, -NUDGE].map((by) =>
-    travel(motion, q.map((value, i) => i === knob ? value + by : value)));
+    travel(motion, replaced(q, knob, q[knob] + by)));
   return (ahead - behind) / (2 * NUDGE);
 }
 
@@ -91,7 +92,7 @@ export function touched(item, all, hand, lens) {
   const [from, to = from] = ends.map((end) => lens.see(end)), [first, last = first] = ends;
   const [dx, dy] = [to[0] - from[0], to[1] - from[1]], square = dx * dx + dy * dy;
   const along = ((hand[0] - from[0]) * dx + (hand[1] - from[1]) * dy) / (square || 1);
-  const middle = plus(first, times(minus(last, first), Math.max(0, Math.min(1, along))));
+  const middle = plus(first, times(minus(last, first), clip(along, 0, 1)));
   const seen = lens.see(middle), far = Math.hypot(hand[0] - seen[0], hand[1] - seen[1]);
   const radius = roundness(item), aside = far / (lens.scale * seen[2]);
   const nearer = Math.sqrt(Math.max(0, radius * radius - aside * aside));
@@ -218,8 +219,8 @@ export function pullJoint(scene, k, place, { all, q, hand: start, lens }) {
   const frame = all[k + 1], knob = /** @type {number} */ (motion.joint);
   const follow = kind === ROTATE ? turningBy(frame[3], frame[axis], place, start, lens)
     : slidingBy(frame[axis], place, start);
-  return (hand, seen, now) => now.map((value, i) =>
-    i === knob ? kept(q[knob] + follow(hand, seen) / gain, scene.knobs[knob]) : value);
+  return (hand, seen, now) =>
+    replaced(now, knob, kept(q[knob] + follow(hand, seen) / gain, scene.knobs[knob]));
 }
 
 // ---- several joints ----

@@ -1,9 +1,10 @@
 // What can be held in a picture: points that knobs bring to the hand, and joints by their links.
 // Each has an element that takes the focus, tells its name and state, and a ring in the picture.
 
-import { make, number, tidy } from "./dom.js";
+import { OWN_KEYS, make, number, tidy } from "./dom.js";
 import { roomPoint } from "./frames.js";
 import { jointMotion } from "./handles.js";
+import { drawn, put } from "./svg.js";
 
 /** @import { Frame, Handle, Item, Lens, Scene } from "./types.js" */
 
@@ -37,13 +38,11 @@ export class Hold {
     this.alone = knobs.length === 1;
     this.node = make("div", { class: "kl-hold", tabindex: "-1", hidden: "", "aria-label": this.name,
       "data-joint": handle ? null : knobs[0] + 1, role: this.alone ? "slider" : "button",
-      "data-lm-suppress-shortcuts": "true", "aria-roledescription": this.alone ? null : "handle",
+      ...OWN_KEYS, "aria-roledescription": this.alone ? null : "handle",
       "aria-valuemin": this.alone ? tidy(low / scale) : null,
       "aria-valuemax": this.alone ? tidy(high / scale) : null });
-    this.ring = document.createElementNS("http://www.w3.org/2000/svg", "circle");
-    this.ring.setAttribute("data-state", "");
-    this.ring.setAttribute("r", String(RING_RADIUS));
-    this.ring.setAttribute("class", handle ? "kl-ring kl-point" : "kl-ring");
+    this.ring = drawn("circle", { r: RING_RADIUS, class: handle ? "kl-ring kl-point" : "kl-ring" });
+    put(this.ring, "data-state", "");
   }
 
   /**
@@ -89,11 +88,11 @@ export class Hold {
    * @param {Lens} lens
    */
   draw(state, all, lens) {
-    if (state !== this.shown) this.ring.setAttribute("data-state", state);
     this.shown = state;
     const [x, y] = lens.see(this.place(all));
-    this.ring.setAttribute("cx", x.toFixed(2));
-    this.ring.setAttribute("cy", y.toFixed(2));
+    put(this.ring, "data-state", state);
+    put(this.ring, "cx", x.toFixed(2));
+    put(this.ring, "cy", y.toFixed(2));
   }
 }
 

@@ -2,6 +2,7 @@
 
 import { mount } from "./mount.js";
 import { button, group, tidy } from "./dom.js";
+import { Listeners } from "./listeners.js";
 import { clip } from "./steps.js";
 import { followTerms } from "./terms.js";
 
@@ -13,19 +14,15 @@ import { followTerms } from "./terms.js";
  * @returns {Joints}
  */
 function pageJoints(start) {
-  /** @type {Set<() => void>} */
-  const listeners = new Set();
+  const listeners = new Listeners();
   let q = start;
   return {
     read: () => q,
     write(wanted) {
       q = wanted;
-      for (const listener of [...listeners]) listener();
+      listeners.tell();
     },
-    listen(listener) {
-      listeners.add(listener);
-      return () => listeners.delete(listener);
-    },
+    listen: (listener) => listeners.add(listener),
   };
 }
 

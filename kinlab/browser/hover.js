@@ -3,6 +3,8 @@
 // the name of its frame in data-frame, or the number of its link in data-link. What only listens
 // carries data-holds.
 
+import { claim, hear } from "./dom.js";
+
 /** @import { Pointing } from "./pointing.js" */
 /** @import { Pointed, Spot } from "./types.js" */
 
@@ -38,6 +40,8 @@ export function pointedAt(target) {
  */
 export function pointFrom(root, bus) {
   let timer = 0, begun = [0, 0];
+  /** @type {Spot | null} */
+  let pressed = null;                               // a picture takes the pointer from its parts
   const hover = (/** @type {Spot | null} */ spot) => {
     clearTimeout(timer);
     timer = setTimeout(() => bus.point(spot), PAUSE);
@@ -62,12 +66,10 @@ export function pointFrom(root, bus) {
     },
     keydown({ key }) { if (key === "Escape") bus.clear(); },
   };
-  /** @type {Spot | null} */
-  let pressed = null;                               // a picture takes the pointer from its parts
-  for (const [name, hear] of Object.entries(heard)) root.addEventListener(name, hear, true);
+  const ignore = hear(root, heard, true);
   return () => {
     clearTimeout(timer);
-    for (const [name, hear] of Object.entries(heard)) root.removeEventListener(name, hear, true);
+    ignore();
   };
 }
 
@@ -103,7 +105,6 @@ export function walkThrough(formula) {
     factors[at].tabIndex = -1;
     next.tabIndex = 0;
     next.focus();
-    event.preventDefault();
-    event.stopPropagation();                        // a notebook has uses for these keys, too
+    claim(event);
   });
 }

@@ -1,12 +1,13 @@
 // What a joint that is pointed at has done, drawn on the picture: the angle by which it has turned
 // as an arc, the length by which it has slid as a dimension line, each with its name and value.
 
+import { valued } from "./dom.js";
 import { ROTATE, branch, travel } from "./frames.js";
 import { textSize } from "./labels.js";
 import { drawn, polygon, polyline, px } from "./svg.js";
 import { minus, plus, times } from "./vectors.js";
 
-/** @import { Elementary, Frame, Knob, Lens, Pointed, Scene, Triple } from "./types.js" */
+/** @import { Elementary, Frame, Lens, Pointed, Scene, Triple } from "./types.js" */
 /** @typedef {{ at: Frame[], lens?: Pick<Lens, "see" | "scale"> | null, svg: SVGElement }} Shown */
 /**
  * @typedef {object} Figure
@@ -148,10 +149,6 @@ function keptClear([x, y], [u, v], text) {
   const level = (x - u) / (Math.hypot(x - u, y - v) || 1);
   return [x + textSize(text)[0] / 2 * level, y];
 }
-
-/** @type {(knob: Knob, value: number) => string} */
-const valued = ({ label, scale, digits, suffix }, value) =>
-  `${label} = ${(value / scale).toFixed(digits).replace("-", "\u2212")}${suffix}`;
 
 /** @type {(figure: Figure, turns: boolean, joint: number, text: string) => SVGElement} */
 function markOf({ thin, way, heads, name: [x, y] }, turns, joint, text) {

@@ -1,6 +1,6 @@
 // A button that opens a panel of further controls. Escape closes it; arrow keys walk through it.
 
-import { button, make } from "./dom.js";
+import { OWN_KEYS, button, claim, hear, make } from "./dom.js";
 
 const ONWARD = ["ArrowDown", "ArrowRight"], BACKWARD = ["ArrowUp", "ArrowLeft"];
 let panels = 0;                                     // so far: each has an id of its own
@@ -39,12 +39,12 @@ export function menu(text, title, panel, attributes = {}, stays = false) {
   const elsewhere = (/** @type {Event} */ event) => {
     if (!inside(event) || !panel.isConnected) open(false);
   };
+  let ignore = () => {};
   const open = (/** @type {boolean} */ on) => {
     panel.hidden = !on;
     opener.setAttribute("aria-expanded", String(on));
-    if (stays) return;
-    const change = on ? "addEventListener" : "removeEventListener";
-    for (const event of ["pointerdown", "focusin"]) document[change](event, elsewhere, true);
+    ignore();
+    if (on && !stays) ignore = hear(document, { pointerdown: elsewhere, focusin: elsewhere }, true);
   };
   const key = (/** @type {KeyboardEvent} */ event) => {
     const by = ONWARD.includes(event.key) ? 1 : BACKWARD.includes(event.key) ? -1 : 0;
@@ -54,8 +54,7 @@ export function menu(text, title, panel, attributes = {}, stays = false) {
     } else if (by && !panel.hidden && !(event.target instanceof HTMLSelectElement)) {
       focusNext(panel, by);
     } else return;
-    event.preventDefault();
-    event.stopPropagation();                       // the notebook has uses for these keys too
+    claim(event);
   };
   panel.hidden = true;
   panel.setAttribute("data-lm-suppress-shortcuts", "true");
@@ -72,7 +71,7 @@ export function menu(text, title, panel, attributes = {}, stays = false) {
  */
 export function picker(prompt, title, groups, choose) {
   const list = make("select", { class: "kl-button", title, "aria-label": title,
-    "data-lm-suppress-shortcuts": "true" }, make("option", { value: "" }, prompt),
+    ...OWN_KEYS }, make("option", { value: "" }, prompt),
     ...groups.map(({ label, options }) => make("optgroup", { label },
       ...options.map((text) => make("option", {}, text)))));
   list.addEventListener("change", () => list.value && choose(list.value));

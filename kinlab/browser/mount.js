@@ -6,7 +6,7 @@ import { Bar } from "./bar.js";
 import { Chart } from "./chart.js";
 import { follower } from "./chase.js";
 import { Controls } from "./controls.js";
-import { make, write } from "./dom.js";
+import { OWN_KEYS, make, write } from "./dom.js";
 import { fitFormula } from "./formula.js";
 import { inRoom, seenFrom } from "./frames.js";
 import { Grasp } from "./grasp.js";
@@ -73,13 +73,8 @@ class View {
 
   heard = 0;
 
-  silence = () => {};
-
-  release = () => {};
-
-  unpoint = () => {};
-
-  loosen = () => {};
+  /** @type {(() => void)[]} */
+  ends = [];                                        // of what the view follows
 
   /**
    * @param {HTMLElement} element
@@ -99,12 +94,12 @@ class View {
     this.picture = new Picture(scene);
     this.shrunk = make("div", { class: "kl-shrunk", "aria-hidden": "true" });
     this.box = make("div", { class: "kl-picture", tabindex: "0", role: "application",
-      "data-lm-suppress-shortcuts": "true",
+      ...OWN_KEYS,
       "style": `--kl-aspect: ${scene.size.join(" / ")}` }, this.picture.svg, this.shrunk);
     this.hands = new Grasp(this.box, this.picture, joints, () => this.redraw());
-    this.box.setAttribute("aria-label", `${scene.name}: picture. ` +
-      `${seenFlat(scene) ? "" : "Arrow keys turn the view, "}` +
-      `${seenFlat(scene) ? "P" : "p"}lus and minus zoom, 0 resets.${this.hands.help()}`);
+    const turns = seenFlat(scene) ? "Plus" : "Arrow keys turn the view, plus";
+    this.box.setAttribute("aria-label",
+      `${scene.name}: picture. ${turns} and minus zoom, 0 resets.${this.hands.help()}`);
     this.pose = scene.pose && poseTable(scene.pose);
     this.lines = readingLines(scene);
     this.chart = scene.chart && new Chart(scene.chart, scene.paints);
@@ -135,15 +130,17 @@ class View {
     plan.put("stage", box, this.bar.node);
     plan.put("side", pose?.node, lines.node, this.remark);
     if (this.formula.innerHTML) plan.put("below", this.formula);
-    this.loosen = fitFormula(this.formula, scene.pose?.columns ?? []);
     this.controls.take(scene.knobs, this.joints, () => this.note(this.said));
     for (const { layer, on } of scene.layers) this.switch(layer, before?.shown[layer] ?? on);
     this.look(before?.began === scene.preset ? before.preset : scene.preset);
     if (before?.began === scene.preset) picture.camera = before.camera;
-    this.release = orbit(box, picture, () => this.redraw(), () => this.look(this.preset),
-                         this.hands);
-    this.silence = this.joints.listen(() => this.moved());
-    this.unpoint = this.highlight.begin();
+    this.ends.push(
+      fitFormula(this.formula, scene.pose?.columns ?? []),
+      orbit(box, picture, () => this.redraw(), () => this.look(this.preset), this.hands),
+      this.joints.listen(() => this.moved()),
+      this.highlight.begin(),
+      () => this.chart?.leave(),
+      () => this.sizes.disconnect());
     this.draw();
     this.sizes.observe(box);
   }
@@ -161,6 +158,10 @@ class View {
   /** @returns {import("./bar.js").Acts} */
   acts() {
     const { mover, picture } = this, drive = this.chase?.drive ?? this.joints;
+    const anew = (/** @type {() => void} */ change) => {
+      change();
+      this.redraw();
+    };
     return {
       go: (q) => mover.start(drive, [q], MOVE),
       play: () => this.play(),
@@ -171,18 +172,9 @@ class View {
       look: (preset) => this.look(preset),
       along: (frame, direction) => this.along(frame, direction),
       show: (layer, on) => this.switch(layer, on),
-      showFrame: (frame, on) => {
-        picture.showFrame(frame, on);
-        this.redraw();
-      },
-      clear: () => {
-        picture.clear();
-        this.redraw();
-      },
-      perspective: (on) => {
-        picture.camera.perspective = on;
-        this.redraw();
-      },
+      showFrame: (frame, on) => anew(() => picture.showFrame(frame, on)),
+      clear: () => anew(() => picture.clear()),
+      perspective: (on) => anew(() => { picture.camera.perspective = on; }),
       fill: () => this.fill(),
     };
   }
@@ -297,15 +289,10 @@ class View {
   /** Make room for another scene: all but the controls goes. How the view was looked at. */
   leave() {
     this.mover.stop();
-    this.silence();
-    this.release();
-    this.unpoint();
-    this.loosen();
-    this.chart?.leave();
+    this.ends.forEach((end) => end());
     cancelAnimationFrame(this.pending);
     cancelAnimationFrame(this.settling);
     clearTimeout(this.heard);
-    this.sizes.disconnect();
     this.plan.clear();
     return { began: this.scene.preset, preset: this.preset, camera: this.picture.camera,
              shown: this.bar.shown(), controls: this.controls, plan: this.plan };

@@ -10,6 +10,9 @@ import { clip } from "./steps.js";
  */
 export const smooth = (t) => t * t * t * (10 - 15 * t + 6 * t * t);
 
+/** Whether the reader has asked the system for less motion. */
+export const wantsCalm = () => matchMedia("(prefers-reduced-motion: reduce)").matches;
+
 export class Mover {
   request = 0;
 
@@ -34,7 +37,7 @@ export class Mover {
    */
   start(joints, poses, duration, loop = false) {
     this.stop();
-    if (matchMedia("(prefers-reduced-motion: reduce)").matches) duration = 0;
+    if (wantsCalm()) duration = 0;
     let from = joints.read(), next = 0, began = performance.now();
     this.goal = poses[0];
     const step = (/** @type {number} */ now) => {

@@ -1,6 +1,7 @@
 // Pointers and keys on the picture: drag or arrows orbit; wheel, pinch or +/- zoom; double click
 // resets. What can be held there (grasp.js) is asked first.
 
+import { claim, hear } from "./dom.js";
 import { seenFlat } from "./holds.js";
 import { clip } from "./steps.js";
 
@@ -65,9 +66,7 @@ export function orbit(box, picture, redraw, resetView, hands) {
     held.delete(event.pointerId);
     letGo();
   };
-  box.addEventListener("pointerup", end);
-  box.addEventListener("pointercancel", end);
-  box.addEventListener("dblclick", resetView);
+  hear(box, { pointerup: end, pointercancel: end, dblclick: resetView });
   box.addEventListener("wheel", (event) => {
     if (event.timeStamp - scrolled < 250) { scrolled = event.timeStamp; return; }
     event.preventDefault();
@@ -87,8 +86,7 @@ export function orbit(box, picture, redraw, resetView, hands) {
   box.addEventListener("keydown", (event) => {
     if (!keys[event.key] || event.ctrlKey || event.metaKey || event.altKey) return;
     keys[event.key]();
-    event.preventDefault();
-    event.stopPropagation();                       // the notebook has uses for these keys too
+    claim(event);
   });
   return () => document.removeEventListener("wheel", elsewhere, { capture: true });
 }

@@ -1,8 +1,10 @@
 // What is pointed at in a view. Picture, sliders, tables and formulas tell it when a hand is on one
 // of their parts, and hear of it, so that all that belongs to a joint lights up together.
 
+import { valued } from "./dom.js";
 import { branch } from "./frames.js";
-import { clip } from "./steps.js";
+import { Listeners } from "./listeners.js";
+import { clip, replaced } from "./steps.js";
 
 /** @import { Elementary, Item, Knob, Motion, Pointed, Scene, Spot } from "./types.js" */
 /** @typedef {{ before: string | null, after: string | null }} Tie */
@@ -73,8 +75,8 @@ export class Pointing {
   /** @type {Partial<Record<Source, Spot | null>>} */
   spots = {};
 
-  /** @type {Set<(now: Pointed | null) => void>} */
-  listeners = new Set();
+  /** @type {Listeners<[now: Pointed | null]>} */
+  listeners = new Listeners();
 
   /**
    * Follow a scene from now on.
@@ -114,17 +116,14 @@ export class Pointing {
     const next = spot ? belonging(spot, this.ties) : null;
     if (spelled(next) === spelled(this.now)) return;
     this.now = next;
-    for (const listener of [...this.listeners]) listener(next);
+    this.listeners.tell(next);
   }
 
   /**
    * @param {(now: Pointed | null) => void} listener
    * @returns {() => void} ends it
    */
-  listen(listener) {
-    this.listeners.add(listener);
-    return () => this.listeners.delete(listener);
-  }
+  listen(listener) { return this.listeners.add(listener); }
 }
 
 const SHARES = [0.23, 0.61], GOLDEN = 0.618;        // of the knobs' ranges: poses like any other
@@ -138,10 +137,10 @@ export function holdings(knobs, read) {
   const within = (/** @type {number} */ share) => knobs.map(({ low, high }, i) =>
     low + ((share + GOLDEN * i) % 1) * (high - low));
   const poses = SHARES.map(within), others = SHARES.map((share) => within(share + 0.37));
-  const before = poses.map(read);
+  const before = poses.map(read), moves = poses.map(() => /** @type {string[][]} */ ([]));
   return before[0].map((_, k) => knobs.flatMap((__, joint) => poses.some((pose, p) => {
-    const moved = pose.map((value, i) => i === joint ? others[p][i] : value);
-    return read(moved)[k] !== before[p][k];
+    const moved = moves[p][joint] ??= read(replaced(pose, joint, others[p][joint]));
+    return moved[k] !== before[p][k];
   }) ? [joint + 1] : []));
 }
 
@@ -155,9 +154,7 @@ export function inWords({ joints, frames, links }, { knobs, items }, q) {
   const of = [...joints].flatMap((joint) => {
     const knob = knobs[joint - 1];
     if (!knob) return [];
-    const { label, title, scale, digits, suffix } = knob;
-    const value = (q[joint - 1] / scale).toFixed(digits).replace("-", "\u2212");
-    return `${title}${title && ": "}${label} = ${value}${suffix}`;
+    return `${knob.title}${knob.title && ": "}${valued(knob, q[joint - 1])}`;
   });
   const others = [...frames].map((name) =>
     `${items.some(({ frame, part }) => frame === name && part === "point") ? "point" : "frame"} ` +

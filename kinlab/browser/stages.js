@@ -1,6 +1,6 @@
 // Steps and Play: from pose to pose, or from one whole number of a knob to the next.
 
-import { clip } from "./steps.js";
+import { clip, replaced } from "./steps.js";
 
 /** @import { Scene } from "./types.js" */
 
@@ -17,7 +17,7 @@ export function stages({ knobs, poses }, q) {
   if (knob < 0) return poses;
   const { low, high } = knobs[knob];
   return Array.from({ length: Math.round(high - low) + 1 }, (_, k) =>
-    q.map((value, i) => i === knob ? low + k : value));
+    replaced(q, knob, low + k));
 }
 
 /** Goes through the stages one by one, and remembers at which it is. */

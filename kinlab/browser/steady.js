@@ -1,7 +1,7 @@
 // A picture that follows its arm stands still while a hand holds something, or what is held would
 // run away from the hand; then it goes smoothly to where it belongs.
 
-import { smooth } from "./player.js";
+import { smooth, wantsCalm } from "./player.js";
 import { norm, minus } from "./vectors.js";
 
 /** @import { Lens } from "./types.js" */
@@ -39,8 +39,7 @@ export class Steady {
   }
 
   release() {
-    const still = matchMedia("(prefers-reduced-motion: reduce)").matches;
-    if (still) this.kept = null;
+    if (wantsCalm()) this.kept = null;
     this.since = performance.now();
   }
 

@@ -1,6 +1,6 @@
 // Where a knob's slider stops under a hand, in the slider's units.
 
-/** @import { Stops } from "./types.js" */
+/** @import { Knob, Stops } from "./types.js" */
 
 /**
  * How many whole steps a key goes.
@@ -11,6 +11,22 @@ export const KEYS = { ArrowLeft: -1, ArrowDown: -1, ArrowRight: 1, ArrowUp: 1,
 
 /** @type {(value: number, low: number, high: number) => number} */
 export const clip = (value, low, high) => Math.max(low, Math.min(high, value));
+
+/**
+ * Values with another one in one place.
+ * @param {number[]} q
+ * @param {number} i
+ * @param {number} value
+ */
+export const replaced = (q, i, value) => q.map((old, k) => k === i ? value : old);
+
+/**
+ * Limits and step of a knob, in its slider's units.
+ * @param {Pick<Knob, "low" | "high" | "scale" | "step">} knob
+ * @returns {Stops}
+ */
+export const stopsOf = ({ low, high, scale, step }) =>
+  ({ low: low / scale, high: high / scale, step });
 
 /**
  * The nearest whole step; the limits need not be whole steps, and hold as well.

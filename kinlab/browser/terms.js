@@ -1,6 +1,8 @@
 // Terms of a lesson's text that light up a view: [the wrist](#kl:joints=4,5,6). The view that is
 // nearest above or below the text answers, if it has what the term names.
 
+import { hear } from "./dom.js";
+
 /** @import { Live, Spot } from "./types.js" */
 
 const TERM = 'a[href^="#kl:"]';
@@ -59,7 +61,12 @@ export function followTerms(element, view) {
     const spot = term ? readTerm(term.getAttribute("href") ?? "") : null, live = view();
     if (term && spot && live && answering(term, spot) === element) act(live, spot, term);
   };
-  const heard = {
+  const lead = onTerm((live, spot, term) => {
+    term.focus();                                   // Safari does not give a clicked link the focus
+    live.point(spot, "word");
+    element.scrollIntoView({ block: "nearest" });
+  });
+  return hear(page, {
     pointerover: onTerm((live, spot) => live.point(spot)),
     pointerout: onTerm((live) => live.point(null)),
     focusin: onTerm((live, spot) => live.point(spot, "word")),
@@ -68,14 +75,5 @@ export function followTerms(element, view) {
       if (event.target instanceof Element && event.target.closest(TERM)) event.preventDefault();
       lead(event);
     },
-  };
-  const lead = onTerm((live, spot, term) => {
-    term.focus();                                   // Safari does not give a clicked link the focus
-    live.point(spot, "word");
-    element.scrollIntoView({ block: "nearest" });
   });
-  for (const [name, hear] of Object.entries(heard)) page.addEventListener(name, hear);
-  return () => {
-    for (const [name, hear] of Object.entries(heard)) page.removeEventListener(name, hear);
-  };
 }

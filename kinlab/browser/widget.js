@@ -2,6 +2,7 @@
 // what every host of anywidget has is asked for; what JupyterLab has besides is used where it is.
 
 import { make, write } from "./dom.js";
+import { Listeners } from "./listeners.js";
 import { mount } from "./mount.js";
 import { keepViews } from "./saved_views.js";
 import { followTerms } from "./terms.js";
@@ -25,8 +26,7 @@ const TELL = 100;                                   // ms between two messages t
  */
 export function modelJoints(model, knobs, listening, gripped = new Set()) {
   const names = knobs.map(({ name }) => name);
-  /** @type {Set<() => void>} */
-  const listeners = new Set();
+  const listeners = new Listeners();
   /** @type {Set<string>} */
   const untold = new Set();
   /** @type {number[]} */
@@ -55,7 +55,7 @@ export function modelJoints(model, knobs, listening, gripped = new Set()) {
     if (next.every((value, i) => value === held[i])) return;
     q = q.map((value, i) => next[i] === held[i] ? value : next[i] * knobs[i].scale);
     held = next;
-    for (const listener of [...listeners]) listener();
+    listeners.tell();
   };
   // Whoever sets several joints sets them one by one: look when all are there.
   const heard = () => {
@@ -76,12 +76,9 @@ export function modelJoints(model, knobs, listening, gripped = new Set()) {
       moved.forEach((name) => untold.add(name));
       if (model.get("note")) model.set("note", "");   // it told of where the joints were
       if (!timer) tell();
-      for (const listener of [...listeners]) listener();
+      listeners.tell();
     },
-    listen(callback) {
-      listeners.add(callback);
-      return () => listeners.delete(callback);
-    },
+    listen: (listener) => listeners.add(listener),
     leave() {
       names.forEach((name) => model.off(`change:${name}`, heard));
       clearTimeout(timer);
