@@ -109,7 +109,7 @@ export class Grasp {
     const page = /** @type {Document} */ (this.box.getRootNode());
     const front = page.elementsFromPoint(clientX, clientY)
       .map((node) => node.closest(BODY)).find((group) => group && this.box.contains(group));
-    const body = front && this.bodies.get(front.id);
+    const body = front && this.bodies.get(front.getAttribute("data-piece-of") ?? front.id);
     return body ? { ...body, far: 0 } : null;
   }
 
@@ -320,7 +320,7 @@ export class Grasp {
   /** Put rings where the picture, which has been drawn, has what is held. */
   drawn() {
     const { lens, picture: { svg, at: all }, held, near, box, rings } = this;
-    if (!all.length) return;
+    if (!lens) return;                              // before the first picture
     if (svg.lastElementChild !== rings) svg.append(rings);
     box.dataset.hand = held ? "held" : near ? "near" : "";
     for (const hold of this.holds) {

@@ -21,9 +21,6 @@ const ARC = 60, FARTHER = 18;                    // px: of the arc of one joint;
 const SIDEWAYS = 20, OUTWARDS = 15, POINT = 8;           // px
 const ARC_PIECE = 0.1;                                  // rad
 
-/** @type {(a: number[], b: number[], share: number) => number[]} */
-const towards = (a, b, share) => a.map((v, k) => v + share * (b[k] - v)).slice(0, 2);
-
 /**
  * An arrow head that ends at b and comes from a.
  * @param {number[]} a
@@ -70,7 +67,7 @@ export function slideFigure(from, to, see) {
   const way = [a, b].map((p) => aside(p, SIDEWAYS));
   const heads = length > 2 * POINT ? [arrowHead(way[1], way[0]), arrowHead(way[0], way[1])] : [];
   return { thin: [a, b].map((p) => [p, aside(p, SIDEWAYS + 4)]), way, heads,
-           name: aside(towards(a, b, 0.5), SIDEWAYS + OUTWARDS) };
+           name: aside([a[0] + x / 2, a[1] + y / 2], SIDEWAYS + OUTWARDS) };
 }
 
 /**

@@ -1,7 +1,7 @@
 // What a scene's items become in an SVG picture: solids, axes of frames, strokes and words.
 
 import { onPicture } from "./camera.js";
-import { isThere } from "./curves.js";
+import { cornersOf, isThere } from "./curves.js";
 import { roomPoint } from "./frames.js";
 import { textSize } from "./labels.js";
 import { OFFSETS, dimmed, faces, hull, pale, shades } from "./solids.js";
@@ -10,7 +10,9 @@ import { clip } from "./steps.js";
 import { dot, minus, norm, partway, plus, times, unit } from "./vectors.js";
 
 /** @import { Face, Frame, Item, Lens, Paint, Triple } from "./types.js" */
+/** @import { Now } from "./curves.js" */
 /** @import { Label, LabelState, Placed } from "./labels.js" */
+/** @import { Body } from "./order.js" */
 /** @typedef {Required<Item>} Whole */
 
 const USUAL = { body: -1, layer: "", text: "", lift: 0, size: [], part: "", frame: "",
@@ -59,9 +61,12 @@ export class Part {
 
   /**
    * Where its points are in the room.
-   * @param {Frame[]} at
+   * @type {Triple[]}
    */
-  places(at) { return this.item.points.map((point) => roomPoint(at, point)); }
+  room = [];
+
+  /** @param {Now} now */
+  move({ all }) { this.room = this.item.points.map((point) => roomPoint(all, point)); }
 }
 
 // ---- solids ----
@@ -97,6 +102,12 @@ export class Solid extends Part {
     this.pointed = pointed;
   }
 
+  /** @param {boolean} on */
+  show(on) {
+    super.show(on);
+    for (const { group } of this.pieces) group.style.display = this.group.style.display;
+  }
+
   get ramp() { return this.ramps[!this.lit ? "dim" : this.pointed ? "pointed" : "plain"]; }
 
   /**
@@ -105,7 +116,7 @@ export class Solid extends Part {
    * @param {number | undefined} height of the floor
    */
   locate(at, height) {
-    const ends = this.places(at), { shape, size, points } = this.item;
+    const { room: ends, item: { shape, size, points } } = this;
     const halves = shape === "tube" ? cut(ends, size, height) : [{ ends, size }];
     halves.forEach((half, k) => this.piece(k).locate(half.ends, half.size, at[points[0][0]]));
     this.pieces.slice(halves.length).forEach((piece) => piece.hide());
@@ -114,11 +125,10 @@ export class Solid extends Part {
 
   /**
    * Balls about its ends, which have to be seen.
-   * @param {Frame[]} at
    * @returns {[Triple, number][]}
    */
-  balls(at) {
-    const [p, q, u] = this.places(at), { shape, size: [r, s = r] } = this.item;
+  balls() {
+    const [p, q, u] = this.room, { shape, size: [r, s = r] } = this.item;
     if (shape === "box") return [p, q].map((end) => [end, norm(minus(u, p))]);
     return shape === "ball" ? [[p, r]] : [[p, r], [q, s]];
   }
@@ -136,8 +146,15 @@ export class Solid extends Part {
 
   /** @param {number} k */
   piece(k) {
-    return this.pieces[k] ??= new Piece(this, /** @type {SVGGElement} */ (
-      this.pieces[0].group.cloneNode(false)));
+    return this.pieces[k] ??= new Piece(this, this.secondGroup());
+  }
+
+  /** A group that tells the same; an id is there once in a page. */
+  secondGroup() {
+    const group = /** @type {SVGGElement} */ (this.group.cloneNode(false));
+    group.removeAttribute("id");
+    group.setAttribute("data-piece-of", this.item.gid);
+    return group;
   }
 }
 
@@ -157,6 +174,16 @@ function cut(ends, radii, height) {
           { ends: [middle, b], size: [radius, radii[1]] }];
 }
 
+/**
+ * A piece of a solid as a body that others are drawn before or behind.
+ * @type {(item: Whole, ends: Triple[], size: number[]) => Body}
+ */
+function bodyOf({ shape, part }, [p, q = p, u = p, v = p], size) {
+  const wide = Math.max(norm(minus(u, p)), norm(minus(v, p)));
+  return { p, q, r: shape === "box" ? 1.1 * wide : Math.max(...size),
+           plane: part === "base" ? { normal: unit(minus(q, p)), at: q } : null };
+}
+
 /** What is drawn in one piece of a solid. */
 class Piece {
   /** @type {Skin[]} */
@@ -171,6 +198,9 @@ class Piece {
   /** @type {Frame} */
   frame = [];
 
+  /** @type {Body} */
+  body = { p: [], q: [], r: 0 };
+
   shown = false;                                    // a rod may be wholly inside its sleeve
 
   /** @param {Solid} solid @param {SVGGElement} group */
@@ -181,16 +211,8 @@ class Piece {
 
   /** @param {Triple[]} ends @param {number[]} size @param {Frame} frame */
   locate(ends, size, frame) {
-    Object.assign(this, { ends, size, frame });
+    Object.assign(this, { ends, size, frame, body: bodyOf(this.solid.item, ends, size) });
     reveal(this.group, true);
-  }
-
-  /** As a body that others are drawn before or behind. */
-  get body() {
-    const [p, q = p, u = p, v = p] = this.ends, { shape, part } = this.solid.item;
-    const wide = Math.max(norm(minus(u, p)), norm(minus(v, p)));
-    return { p, q, r: shape === "box" ? 1.1 * wide : Math.max(...this.size),
-             plane: part === "base" ? { normal: unit(minus(q, p)), at: q } : null };
   }
 
   /** @param {Lens} lens */
@@ -325,9 +347,9 @@ export class Axis extends Part {
     reveal(this.hint, lit);
   }
 
-  /** @param {Frame[]} at @param {Lens} lens @param {number[]} picture */
-  locate(at, lens, picture) {
-    this.ends = axisEnds(this.places(at), this.item.size, lens, picture);
+  /** @param {Lens} lens @param {number[]} picture */
+  locate(lens, picture) {
+    this.ends = axisEnds(this.room, this.item.size, lens, picture);
     return { p: this.ends.skin, q: this.ends.tip, r: 0 };
   }
 
@@ -381,11 +403,16 @@ export class Stroke extends Part {
     this.group.append(this.path);
   }
 
-  /** @param {Lens} lens @param {Triple[]} room where its points are */
-  draw(lens, room) {
+  /** @param {Now} now */
+  move(now) { this.room = cornersOf(this.item, now); }
+
+  /** @param {Lens} lens */
+  draw(lens) {
+    const { room } = this;
+    this.near = this.item.lift + room.reduce((sum, p) => sum + dot(p, lens.near), 0) / room.length;
+    if (!this.on) return;
     const points = room.map((point) => onPicture(lens, point));
     put(this.path, "d", PATHS[this.item.shape](points));
-    this.near = this.item.lift + room.reduce((sum, p) => sum + dot(p, lens.near), 0) / room.length;
     this.stroke = keptOff(this.item, points);
   }
 }
@@ -432,11 +459,11 @@ export class Words extends Part {
     this.box = textSize(item.text);
   }
 
-  /** @param {Frame[]} at @param {Lens} lens @param {number[]} picture @returns {Label} */
-  locate(at, lens, picture) {
-    const places = this.places(at), axis = this.item.shape === "name";
-    const ends = axis ? axisEnds(places, this.item.size, lens, picture) : null;
-    const [anchor, away] = [ends?.tip ?? places[0], ends?.origin ?? places[1] ?? null]
+  /** @param {Lens} lens @param {number[]} picture @returns {Label} */
+  locate(lens, picture) {
+    const { room } = this, axis = this.item.shape === "name";
+    const ends = axis ? axisEnds(room, this.item.size, lens, picture) : null;
+    const [anchor, away] = [ends?.tip ?? room[0], ends?.origin ?? room[1] ?? null]
       .map((point) => point && onPicture(lens, point));
     const from = axis || !away ? away : besideOf(anchor ?? away, away);
     const [w, h] = this.box;

@@ -4,7 +4,6 @@
 
 import { lens } from "./camera.js";
 import { Cloud } from "./cloud.js";
-import { cornersOf } from "./curves.js";
 import { FloorPart } from "./floor_part.js";
 import { frames, roomPoint } from "./frames.js";
 import { place } from "./labels.js";
@@ -77,7 +76,8 @@ export class Picture {
     this.heeding = this.parts.filter(({ item }) => item.when);
     this.layers = this.layOut();
     this.svg = drawn("svg", { role: "img" }, ...Object.values(this.layers));
-    this.home = this.extents(frames(scene.motions, scene.home), scene.home);
+    this.move(scene.home);
+    this.home = this.extents();
     this.reset(scene.preset);
     this.resize(scene.size[0], scene.size[1]);
   }
@@ -166,18 +166,25 @@ export class Picture {
   }
 
   /**
-   * Balls that have to be seen when the frames are these: the ends of solids, what is drawn beside
-   * the arm, feet, and points that the scene names.
-   * @param {Frame[]} at
+   * Bring all parts to where they are in the room at the knobs' values.
    * @param {number[]} q
+   */
+  move(q) {
+    const { motions } = this.scene, all = this.at = frames(motions, q);
+    for (const part of this.parts) part.move({ motions, all, q });
+  }
+
+  /**
+   * Balls that have to be seen: the ends of solids, what is drawn beside the arm, feet, and points
+   * that the scene names.
    * @returns {[Triple, number][]}
    */
-  extents(at, q) {
-    const { floor, fit, motions } = this.scene;
+  extents() {
+    const { at, scene: { floor, fit } } = this;
     const bodies = this.solids.filter(({ paint }) => !paint.faded)
-      .flatMap((solid) => solid.balls(at));
+      .flatMap((solid) => solid.balls());
     const beside = this.strokes.filter(({ item }) => !UNFRAMED.includes(item.layer))
-      .flatMap(({ item }) => cornersOf(item, { motions, all: at, q }));
+      .flatMap(({ room }) => room);
     const feet = (floor?.drops ?? []).flatMap((k) => {
       const [x, y] = at[k][3];
       return [at[k][3], [x, y, floor?.height ?? 0]];
@@ -191,16 +198,16 @@ export class Picture {
    * @param {number[]} q
    */
   draw(q) {
-    const { scene, size } = this, { focus, center } = scene;
-    const at = this.at = frames(scene.motions, q), middle = focus == null ? center : at[focus][3];
+    this.move(q);
+    const { scene, size, at } = this, { focus, center } = scene;
+    const middle = focus == null ? center : at[focus][3], extents = scene.fit ? this.extents() : [];
     const seen = this.lens = this.steady.through(
-      lens(scene, this.camera, size, this.extents(at, q), this.home, middle));
+      lens(scene, this.camera, size, extents, this.home, middle));
     this.follow(at[scene.tip][3]);
     for (const part of this.heeding) part.heed(q);
     for (const stroke of this.strokes) {
-      const room = stroke.item.shape === "trace" ? this.path
-        : cornersOf(stroke.item, { motions: scene.motions, all: at, q });
-      stroke.draw(seen, room);
+      if (stroke.item.shape === "trace") stroke.room = this.path;
+      stroke.draw(seen);
     }
     for (const cloud of this.clouds) cloud.draw(at, seen, center, scene.radius);
     const { shading, sunk } = this.drawBodies(seen);
@@ -220,7 +227,7 @@ export class Picture {
       .flatMap((solid) => solid.locate(at, this.floor?.on ? floor?.height : undefined));
     for (const piece of pieces) piece.draw(seen);
     const axes = this.axes.filter(({ on }) => on)
-      .map((axis) => ({ body: axis.locate(at, seen, size), group: axis.group, axis }));
+      .map((axis) => ({ body: axis.locate(seen, size), group: axis.group, axis }));
     for (const { axis } of axes) axis.draw(seen);
     const drops = this.floor?.dropped(at) ?? [];
     const all = [...pieces, ...axes, ...drops];
@@ -263,10 +270,10 @@ export class Picture {
 
   /** Bring the words nearer to where they want to stand. */
   placeWords() {
-    const { at, size, lens: seen, floor } = this;
+    const { size, lens: seen, floor } = this;
     if (!seen) return;
     const shown = this.words.filter(({ on }) => on);
-    const labels = [...shown.map((words) => words.locate(at, seen, size)), ...floor?.labels ?? []];
+    const labels = [...shown.map((words) => words.locate(seen, size)), ...floor?.labels ?? []];
     const strokes = [...this.axes, ...this.strokes].filter(({ on }) => on)
       .flatMap(({ stroke }) => stroke ?? []);
     const solids = this.solids.filter(({ on }) => on).flatMap((solid) => solid.bars(seen));

@@ -6,20 +6,22 @@ from kinlab.drawing.still import still
 # What is seen of each item: its paths in the order of painting, and where its words stand.
 SHOWN = """() => new Promise(done => requestAnimationFrame(() => requestAnimationFrame(() => {
     const svg = document.querySelector('.kl-picture svg'), paths = {}, words = {};
-    for (const group of svg.querySelectorAll('g[id][data-part]')) {
+    for (const group of svg.querySelectorAll('g[data-part]:is([id], [data-piece-of])')) {
+        const gid = group.dataset.pieceOf ?? group.id;
         for (const node of group.querySelectorAll('path, text')) {
             const hidden = !node.getClientRects().length
                 || !node.checkVisibility({visibilityProperty: true});
             if (hidden || !(node.getAttribute('d') ?? node.textContent)) continue;
             if (node.tagName === 'text') {
-                words[group.id] = ['x', 'y'].map(name => Number(node.getAttribute(name)));
+                words[gid] = ['x', 'y'].map(name => Number(node.getAttribute(name)));
             } else if (!node.classList.contains('kl-leader')) {
-                (paths[group.id] ??= []).push(node.getAttribute('d'));
+                (paths[gid] ??= []).push(node.getAttribute('d'));
             }
         }
     }
     const { width, height } = svg.viewBox.baseVal;
-    done({paths, words, size: [width, height]});
+    const ids = [...document.querySelectorAll('[id]')].map(node => node.id);
+    done({paths, words, ids, size: [width, height]});
 })))"""
 PATHS_PX, WORDS_PX = 0.08, 4.0  # names in the page go on finding their places
 _TURNS = np.linspace(0, 2 * np.pi, 48)
@@ -35,6 +37,7 @@ def corners(path):
 def assert_both_hands_agree(page, scene, q, preset, show):
     """Every outline, arrow and line is where Python has it, and so is every name."""
     seen = page.evaluate(SHOWN)
+    assert len(seen["ids"]) == len(set(seen["ids"]))  # a page has every id once
     paths, words = {}, {}
     for drawn in still(scene, q, preset, show, tuple(seen["size"])):
         if drawn.item is None or drawn.gid != drawn.item.gid:

@@ -51,7 +51,7 @@ TELL = """() => {
     return [...svg.querySelectorAll('path, text')].filter(node => seen(node) &&
         (node.tagName === 'text' || node.getAttribute('d'))).map(node => {
         const style = getComputedStyle(node), group = node.closest('[data-part]');
-        return {group: group.id || group.dataset.part, tag: node.tagName,
+        return {group: group.dataset.pieceOf || group.id || group.dataset.part, tag: node.tagName,
             d: node.getAttribute('d'), text: node.textContent,
             at: [Number(node.getAttribute('x')), Number(node.getAttribute('y'))],
             fill: style.fill, stroke: style.stroke, width: parseFloat(style.strokeWidth),
