@@ -141,7 +141,7 @@ export class Chart {
     this.chart = chart;
     this.frame = drawn("g", { "data-part": "axes" });
     this.curves = chart.curves.map(({ name, style, marker }) => {
-      const line = { ...paints[style], fill: "none" }, { stroke } = paints[style];
+      const line = { ...paints[style], fill: "none", words: "" }, { stroke } = paints[style];
       const paths = { rest: drawn("path", { ...line, "data-part": "rest" }),
                       gone: drawn("path", { ...line, "data-part": "gone" }),
                       sample: drawn("path", { ...line, "data-part": "sample" }),
