@@ -60,7 +60,7 @@ class LinkSketch(Sketch):
                          planar=False, unit=arm.unit, grid=0)
         self.lay_arm(arm, q, keep=lambda item: not item.layer and item.part != "tip")
         self.items = [_stepped_back(item, int(link)) for item in self.items]
-        self.arm, self.link, self.over = arm, int(link), self.radius
+        self.arm, self.link = arm, int(link)
         self.bare()
         self.follows = True  # one link is looked at, not the arm
         self.floor = self.floor and replace(self.floor, drops=())

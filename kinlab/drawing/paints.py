@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from typing import NamedTuple, TypedDict
 
-INK, STEEL, PALE, FAINT = "#2b3138", "#7d8b99", "#dfe6ee", "#d5dae0"
+INK, STEEL, FAINT = "#2b3138", "#7d8b99", "#d5dae0"
 
 
 class Colour(NamedTuple):
@@ -80,7 +80,6 @@ PAINTS: dict[str, Paint] = {
     "base": _solid(*_IRON, cap=True),
     "grip": _solid("#333d47", "#63717e", "#adb9c5"),
     "amber": _solid("#a86400", "#e69f00", "#ffdd94"),         # a link that is pointed at
-    "ground": _paint(FAINT, 0.8),
     "mesh": _paint("#a9bccd", 1.0),
     "region": _paint("none", 1.0, fill="#56b4e92e"),          # what is reached
     "cloud": _paint("#3f7ca8", 2.8),
@@ -88,7 +87,6 @@ PAINTS: dict[str, Paint] = {
     "hole": _paint("#0b5c8f", 1.4, fill="#ffffff"),
     "faint": _paint("#dcbccc", 1.2),                          # a way still to go
     "ghost": _paint(FAINT, 6),
-    "link": _paint(STEEL, 8),
     "axis": _paint(INK, 1, dash=(6, 3, 1.5, 3)),
     "dashed": _paint(STEEL, 1.4, dash=(5.6, 4.2)),
     "vector": _paint(INK, 2, fill=INK),
@@ -97,8 +95,6 @@ PAINTS: dict[str, Paint] = {
     "tool": _quantity("point", 6, filled=False),              # a dot
     "trace": _quantity("point", 1.6, filled=False),
     "miss": _quantity("target", 1.4, filled=False, dash=(5.6, 4.2)),
-    "first-dot": _quantity("first", 8, filled=False),
-    "second-dot": _quantity("second", 8, filled=False),
     "ink": {"fill": INK},
     **{axis: _quantity(axis, 1.8) for axis in "xyz"},
     **{name: _quantity(name, 1.6) for name in ("angle", "length")},

@@ -172,10 +172,10 @@ class Item:
     ====== ================================== ================================================
 
     `shape` says how its points become a path, `style` how that is painted, `layer` which switch
-    shows it ('' for always), and items of one `body` stay together when nearer ones are
-    laid over farther ones (body -1 lies under everything, in its order). `lift` brings a body
-    nearer to the viewer than it is (length unit): a joint covers the link that ends in it,
-    frames lie on the arm and their names on both, so that they stay readable.
+    shows it ('' for always). Solids and axes cover each other as they stand in the room, words
+    lie over all. Of the other shapes, those of one `body` stay together when nearer ones are
+    laid over farther ones (body -1 lies under everything, in its order), and `lift` brings a
+    body nearer to the viewer than it is (length unit): a target lies over the way to it.
 
     `part`, `frame`, `joint` and `link` say what it is a picture of: a kind of thing such as
     "joint", the name of a frame, the number of a joint from 1, and of the link that it moves

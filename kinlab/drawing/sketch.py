@@ -107,7 +107,6 @@ class Sketch:
         self.target: Target | None = None
         self.handles: list[Handle] = []
         self.decimals: int | None = None
-        self.over = 0.0  # how much nearer than its place everything new lies (length unit)
         self._bodies = 0
 
     @classmethod
@@ -200,7 +199,7 @@ class Sketch:
             self.add(f"frame-{name}-{letter}", ARROW if length else AXIS, letter, ends, size=size,
                      part="frame", frame=name)
             self.add(f"label-{name}-{letter}", TEXT if length else NAME, letter,
-                     ends[::-1] if length else ends, letter + subscript(name), lift=self.radius,
+                     ends[::-1] if length else ends, letter + subscript(name),
                      size=size, part="label", frame=name)
 
     def point(self, name: str, frame: int, place: Numbers) -> Point:
@@ -211,8 +210,7 @@ class Sketch:
         (end,) = at(frame, np.array(point[1:]) + 1e-3 * self.radius)
         self.add(f"point-{name}", LINE, "tool", (point, end), lift=self.radius, part="point",
                  frame=name)
-        self.add(f"name-{name}", TEXT, "ink", (point, point), name, lift=self.radius,
-                 part="label", frame=name)
+        self.add(f"name-{name}", TEXT, "ink", (point, point), name, part="label", frame=name)
         return point
 
     def handle(self, name: str, point: Point | int, *knobs: int | None) -> None:
@@ -263,7 +261,7 @@ class Sketch:
 
     def label(self, text: str, places: Iterable[Point], style: str = "ink", **about: Any) -> None:
         """Words beside a point, away from a second one; `about` is what `add` takes."""
-        self.add(f"words-{len(self.items)}", TEXT, style, places, text, lift=self.radius,
+        self.add(f"words-{len(self.items)}", TEXT, style, places, text,
                  **{"part": "label"} | about)
 
     def components(self, name: str, point: Point, frame: int) -> None:
@@ -344,8 +342,7 @@ class Sketch:
         return self._bodies - 1
 
     def add(self, gid: str, shape: str, style: str, points: Iterable[Point], text: str = "", *,
-            lift: float = 0.0, body: int | None = None, **about: Any) -> None:
+            body: int | None = None, **about: Any) -> None:
         """Add one drawn thing, as `Item` has it; a body of its own unless one is given."""
         body = self.body() if body is None else body
-        self.items.append(Item(gid, shape, style, tuple(points), body, text=text,
-                               lift=lift + self.over, **about))
+        self.items.append(Item(gid, shape, style, tuple(points), body, text=text, **about))

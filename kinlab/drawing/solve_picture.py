@@ -124,8 +124,7 @@ class _Solves(Sketch):
         low, high = self.boxes[k]
         top = [(low[0] + high[0]) / 2, high[1], high[2]]
         self.boxes[k][1, 1 if self.planar else 2] += 0.5 * _EDGE * self.reach
-        self.add(f"{method}-name", TEXT, _STYLES[k], at(0, top), method, lift=4 * self.reach,
-                 part="label")
+        self.add(f"{method}-name", TEXT, _STYLES[k], at(0, top), method, part="label")
 
     def _errors(self, k: int, method: str, trail: Sequence[Tried]) -> None:
         """The curve of the errors, and what is said of them at each step."""

@@ -60,7 +60,7 @@ def _ring(sketch: Sketch, frame: int) -> None:
         ring = np.roll(0.045 * size * circle(25), k, axis=1)
         sketch.add(f"target-{k}", LINE, "target", at(frame, *ring), lift=5 * size, body=body)
     sketch.add("target-name", TEXT, "target", at(frame, (0.09 * size, 0.05 * size, 0.05 * size)),
-               "p*", lift=5 * size, body=body)
+               "p*")
 
 
 def _coordinates(sketch: Sketch, axes: int, *named: tuple[str, str, Point]) -> None:

@@ -45,13 +45,12 @@ def _ellipse(sketch: Sketch, rates: tuple[float, ...]) -> None:
 def _column(sketch: Sketch, i: int, rates: tuple[float, ...]) -> None:
     """An arrow with its name, nearer than the arm."""
     sketch.steps.append(Velocity(sketch.tip, rates, i))
-    frame, body, radius = len(sketch.steps), sketch.body(), sketch.radius
+    frame = len(sketch.steps)
     sketch.add(f"column-{i + 1}", ARROW, "vector",
-               (origin_of(sketch.tip), origin_of(frame)), lift=2 * radius, body=body,
+               (origin_of(sketch.tip), origin_of(frame)), lift=2 * sketch.radius,
                layer="columns", part="column", joint=i + 1)
     sketch.add(f"column-name-{i + 1}", TEXT, "ink", (origin_of(frame), origin_of(sketch.tip)),
-               f"J{subscript(i + 1)}", lift=4 * radius, body=body, layer="columns", part="label",
-               joint=i + 1)
+               f"J{subscript(i + 1)}", layer="columns", part="label", joint=i + 1)
 
 
 def _column_reading(sketch: Sketch, i: int, turns: bool, rate: float) -> None:

@@ -58,7 +58,6 @@ def _over(arm: Arm, name: str, q: Any, axes: Collection[str] = ()) -> Sketch:
                        keep=lambda item: not item.layer or item.gid in axes)
     sketch.items = [replace(item, layer="") for item in sketch.items]
     sketch.bare()
-    sketch.over = sketch.radius
     return sketch
 
 
