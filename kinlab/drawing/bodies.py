@@ -17,15 +17,16 @@ from ..arms.motions import ROTATE, TRANSLATE, Frame, follow, matrix
 from .layout import Layout
 from .readings import Point
 from .scene import BALL, BOX, TUBE, Item, at
+from .vectors import unit
 
 _AXES = np.eye(3)
-_HALF = 1.02           # half height of a drum
+HALF, SKIN = 1.02, 0.93      # of a drum: half its height, and where links beside it begin
 _SLEEVE, _WIDE = 1.9, 1.15   # half length and half width of a sleeve
 _OUTER, _SLIM = 1.2, 1.05    # the same of a telescope's outer tube
 _ROD = 0.6             # half width of a rod
-_THIN, _TAPER = 0.7, 0.56    # radius of a link where it begins and where it ends
+THIN, TAPER = 0.7, 0.56  # radius of a link where it begins and where it ends
 _STEM = 1.45           # radius of the column on the base
-_PLATE = 0.32          # height of the base
+PLATE = 0.32           # height of the base
 _GRIP = 2.7            # how far a gripper reaches
 _UPRIGHT = 0.9         # cosine: nearer than this to an axis counts as along it
 
@@ -115,7 +116,7 @@ class Bodies:
     def _ground(self) -> float:
         """Height of the ground: 0, or lower where the first joint needs room above it."""
         frame = self.layout.home[self.layout.joints[0]]
-        tall = _HALF if not self.layout.slides(0) else _OUTER if self.places[0].telescope \
+        tall = HALF if not self.layout.slides(0) else _OUTER if self.places[0].telescope \
             else _SLEEVE
         upright = abs(frame[2, 2])
         lowest = self.taken[0][2] - self.t * (tall * upright + 1.1 * (1 - upright))
@@ -124,7 +125,7 @@ class Bodies:
     # ---- base, links, gripper ----
 
     def _base(self) -> Item:
-        low, high = self.ground, self.ground + _PLATE * self.t
+        low, high = self.ground, self.ground + PLATE * self.t
         return self._item("base", TUBE, "base", at(0, (0, 0, low), (0, 0, high)), 0,
                           (2.2 * self.t, 2.1 * self.t))
 
@@ -146,7 +147,7 @@ class Bodies:
         end = i + 1 == self.layout.arm.n
         frame = 0 if i < 0 else joints[i] + 1
         stop = self.layout.last if end else joints[i + 1]
-        start = (np.array([0, 0, self.ground + _PLATE * self.t]) if i < 0 else
+        start = (np.array([0, 0, self.ground + PLATE * self.t]) if i < 0 else
                  self.places[i].along * (0 if self.layout.slides(i) else 1) * _AXES[2])
         way = [start, *(self._seen(frame, home[k][:3, 3]) for k in range(frame, stop + 1))]
         if not end:
@@ -169,7 +170,7 @@ class Bodies:
         stop = self._end(i, frame, way) if last else 0.35 * t
         if length - skip - stop < 0.04 * t:
             return
-        begin, end = (_STEM, 1.0) if i < 0 and first else (_THIN, _TAPER if last else _THIN)
+        begin, end = (_STEM, 1.0) if i < 0 and first else (THIN, TAPER if last else THIN)
         yield self._item(f"link-{i + 1}-{k}", TUBE, "steel",
                          at(frame, a + skip * way, b - stop * way), i + 1, (begin * t, end * t))
 
@@ -187,7 +188,7 @@ class Bodies:
         if self.layout.slides(i):
             half = _OUTER if self.places[i].telescope else 1.8
             return (half if straight else 1.15) * self.t
-        return (_HALF if straight else 0.93) * self.t
+        return (HALF if straight else SKIN) * self.t
 
     def _rods(self, i: int, frame: int, *, bare: bool) -> Iterator[Item]:
         """A rod of constant length through the sleeve: what stands out ahead and behind.
@@ -217,7 +218,7 @@ class Bodies:
             low, high = place.along - half * t, place.along + half * t
             points = at(frame, (0, 0, low), (0, 0, high), (wide * t, 0, low), (0, wide * t, low))
             return self._item(f"joint-{i + 1}", BOX, "sleeve", points, i, joint=i + 1)
-        low, high = place.along - _HALF * t, place.along + _HALF * t
+        low, high = place.along - HALF * t, place.along + HALF * t
         return self._item(f"joint-{i + 1}", TUBE, "iron", at(frame + 1, (0, 0, low), (0, 0, high)),
                           i + 1, (t, t), i + 1)
 
@@ -226,7 +227,7 @@ class Bodies:
         t, frame, n = self.t, self.layout.last, self.layout.arm.n
         w = _approach(self.layout)
         v = _AXES[1] if abs(w[1]) < _UPRIGHT else _AXES[0]
-        v = _unit(v - (v @ w) * w)
+        v = unit(v - (v @ w) * w)
         u = np.cross(v, w)
 
         def bar(gid: str, a: np.ndarray, b: np.ndarray, one: np.ndarray, two: np.ndarray) -> Item:
@@ -253,13 +254,9 @@ def _straightened(way: list[np.ndarray], near: float) -> list[np.ndarray]:
             kept.append(point)
     corners = kept[:1]
     for before, point, after in zip(kept, kept[1:], kept[2:]):
-        if np.linalg.norm(np.cross(_unit(after - point), _unit(point - before))) > 1e-3:
+        if np.linalg.norm(np.cross(unit(after - point), unit(point - before))) > 1e-3:
             corners.append(point)
     return corners + kept[1:][-1:]
-
-
-def _unit(vector: np.ndarray) -> np.ndarray:
-    return vector / np.linalg.norm(vector)
 
 
 def _approach(layout: Layout) -> np.ndarray:

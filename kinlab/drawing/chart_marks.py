@@ -1,18 +1,20 @@
 """A chart as marks on paper, under the still picture; kinlab/browser/chart.js draws the same."""
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 
 from ..arms.motions import Numbers
 from .chart import LINE, Chart, Curve, Plot, Px, Track, plot
 from .labels import text_size
-from .paints import FAINT, INK, PAINTS, Paint
+from .paints import FAINT, INK, PAINTS, pen
 from .still import Drawn, Mark
 
 HEIGHT = 260.0                      # px of a chart under a picture
 _SMALL, _LARGE = 2.4, 4.6           # px: half a marker of the steps, and of this one
 _REST = 0.3                         # how strong what is still to come is drawn
-_GRID: Paint = {"stroke": FAINT, "stroke-width": 0.8, "stroke-linejoin": "round"}
+_GRID = pen(FAINT, 0.8)
 _ROUND = np.exp(1j * np.linspace(0, 2 * np.pi, 16, endpoint=False))
 _MARKERS = {"dot": np.stack([_ROUND.real, _ROUND.imag], axis=-1),
             "square": np.array([[-1, -1], [1, -1], [1, 1], [-1, 1]])}
@@ -27,12 +29,8 @@ def chart_marks(chart: Chart, q: Numbers, size: tuple[float, float]) -> list[Dra
         y = laid.box[1] - 22
         words = _words(name, x + LINE + 6, y, "left", PAINTS[curve.style].get("words", INK))
         drawn.append(Drawn(f"chart-{name}", [*_curve(curve, track), *_sample(curve, x, y), words]))
-    return [Drawn(part.gid, [_lower(mark, top) for mark in part.marks]) for part in drawn]
-
-
-def _lower(mark: Mark, top: float) -> Mark:
-    return Mark([line + [0, top] for line in mark.lines], mark.paint, mark.closed,
-                text=mark.text, weight=mark.weight, opacity=mark.opacity)
+    return [Drawn(part.gid, [replace(mark, lines=[line + [0, top] for line in mark.lines])
+                             for mark in part.marks]) for part in drawn]
 
 
 def _frame(chart: Chart, laid: Plot) -> list[Mark]:
@@ -56,25 +54,18 @@ def _words(text: str, x: float, y: float, side: str, colour: str = INK) -> Mark:
 
 def _curve(curve: Curve, track: Track) -> list[Mark]:
     """What is gone, what is to come, and the markers."""
-    line = _line(curve)
+    line = PAINTS[curve.style]
     return [Mark([np.array(track.rest)], line, opacity=_REST), Mark([np.array(track.gone)], line),
             *_marked(curve, track.markers, _SMALL), *_marked(curve, track.gone[-1:], _LARGE)]
 
 
 def _sample(curve: Curve, x: float, y: float) -> list[Mark]:
     """A piece of the curve with its marker."""
-    return [Mark([np.array([(x, y), (x + LINE, y)])], _line(curve)),
+    return [Mark([np.array([(x, y), (x + LINE, y)])], PAINTS[curve.style]),
             *_marked(curve, ((x + LINE / 2, y),), _SMALL)]
 
 
 def _marked(curve: Curve, places: tuple[Px, ...], half: float) -> list[Mark]:
     ink = PAINTS[curve.style]["stroke"]
-    paint: Paint = {"stroke": ink, "stroke-width": 0.0, "stroke-linejoin": "round", "fill": ink}
-    return [Mark([np.array(place) + half * _MARKERS[curve.marker] for place in places], paint,
-                 closed=True)]
-
-
-def _line(curve: Curve) -> Paint:
-    paint = PAINTS[curve.style].copy()
-    paint.pop("fill", None)
-    return paint
+    return [Mark([np.array(place) + half * _MARKERS[curve.marker] for place in places],
+                 pen(ink, 0.0, fill=ink), closed=True)]

@@ -90,13 +90,13 @@ def _paint(renderer: RendererBase, mark: Mark, path: Path, px: Transform) -> Non
     if mark.text:
         _write(renderer, mark, px)
     else:
-        _stroke(renderer, path, px, mark.paint, mark.opacity)
+        _stroke(renderer, path, px, mark.paint, mark.opacity, filled=mark.closed)
 
 
 def _stroke(renderer: RendererBase, path: Path, px: Transform, paint: Paint,
-            opacity: float = 1.0) -> None:
+            opacity: float = 1.0, *, filled: bool = True) -> None:
     """Fill a path and draw it, in so far as it has the paint for either."""
-    fill = _colour(paint["fill"], opacity) if "fill" in paint else None
+    fill = _colour(paint["fill"], opacity) if filled and "fill" in paint else None
     gc = renderer.new_gc()
     gc.set_foreground(_colour(paint.get("stroke", "none"), opacity), isRGBA=True)
     _set_pen(gc, paint)

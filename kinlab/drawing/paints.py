@@ -41,8 +41,8 @@ Paint = TypedDict("Paint", {"stroke": str, "stroke-width": float, "stroke-linejo
                             "cap": bool, "faded": bool}, total=False)
 
 
-def _paint(stroke: str, width: float, *, fill: str = "",
-           dash: tuple[float, ...] = ()) -> Paint:
+def pen(stroke: str, width: float, *, fill: str = "", dash: tuple[float, ...] = ()) -> Paint:
+    """A line with round corners, and what it holds."""
     paint: Paint = {"stroke": stroke, "stroke-width": width, "stroke-linejoin": "round"}
     if fill:
         paint["fill"] = fill
@@ -55,14 +55,14 @@ def _quantity(name: str, width: float, *, filled: bool = True,
               dash: tuple[float, ...] = ()) -> Paint:
     """Lines, arrows and words in the colour of a quantity."""
     line, words, _ = COLOURS[name]
-    paint = _paint(line, width, fill=line if filled else "", dash=dash)
+    paint = pen(line, width, fill=line if filled else "", dash=dash)
     paint["words"] = words
     return paint
 
 
 def _solid(*ramp: str, hub: tuple[str, ...] = (), cap: bool = False) -> Paint:
     """Colours in the shade, between, and in the light; `hub` those of the disc on its ends."""
-    paint = _paint("#242c34", 0.9)
+    paint = pen("#242c34", 0.9)
     paint["ramp"] = ramp  # type: ignore[typeddict-item]  # three of them
     if hub:
         paint["hub"] = hub  # type: ignore[typeddict-item]
@@ -80,17 +80,17 @@ PAINTS: dict[str, Paint] = {
     "base": _solid(*_IRON, cap=True),
     "grip": _solid("#333d47", "#63717e", "#adb9c5"),
     "amber": _solid("#a86400", "#e69f00", "#ffdd94"),         # a link that is pointed at
-    "mesh": _paint("#a9bccd", 1.0),
-    "region": _paint("none", 1.0, fill="#56b4e92e"),          # what is reached
-    "cloud": _paint("#3f7ca8", 2.8),
-    "section": _paint("#0b5c8f", 2, fill="#56b4e92e"),        # what is reached in a plane
-    "hole": _paint("#0b5c8f", 1.4, fill="#ffffff"),
-    "faint": _paint("#dcbccc", 1.2),                          # a way still to go
-    "ghost": _paint(FAINT, 6),
-    "axis": _paint(INK, 1, dash=(6, 3, 1.5, 3)),
-    "dashed": _paint(STEEL, 1.4, dash=(5.6, 4.2)),
-    "vector": _paint(INK, 2, fill=INK),
-    "ellipse": _paint("#5b6770", 1.6, fill="#5b677030"),
+    "mesh": pen("#a9bccd", 1.0),
+    "region": pen("none", 1.0, fill="#56b4e92e"),          # what is reached
+    "cloud": pen("#3f7ca8", 2.8),
+    "section": pen("#0b5c8f", 2, fill="#56b4e92e"),        # what is reached in a plane
+    "hole": pen("#0b5c8f", 1.4, fill="#ffffff"),
+    "faint": pen("#dcbccc", 1.2),                          # a way still to go
+    "ghost": pen(FAINT, 6),
+    "axis": pen(INK, 1, dash=(6, 3, 1.5, 3)),
+    "dashed": pen(STEEL, 1.4, dash=(5.6, 4.2)),
+    "vector": pen(INK, 2, fill=INK),
+    "ellipse": pen("#5b6770", 1.6, fill="#5b677030"),
     "arc": _quantity("angle", 1.6, filled=False),
     "tool": _quantity("point", 6, filled=False),              # a dot
     "trace": _quantity("point", 1.6, filled=False),

@@ -23,6 +23,7 @@ import numpy as np
 from ..arms.arm import Arm
 from ..arms.motions import ROTATE, TRANSLATE, Numbers, X, Y, Z
 from .arm_scene import arm_scene, is_planar
+from .bodies import HALF, PLATE, SKIN, TAPER, THIN
 from .controls import Handle, Knob, PoseTable, Switch, Target, subscript
 from .curves import corners
 from .paints import PAINTS
@@ -53,9 +54,6 @@ from .scene import (
 
 _AXES = np.eye(3)
 _THICK = 0.034              # radius of a joint, as a part of the sketch's
-_HALF, _BASE = 1.02, 0.32   # half height of a joint and height of a base, in radii of a joint
-_THIN, _TAPER = 0.7, 0.56   # radii of a link's two ends, the same,
-_SKIN = 0.93                # and how far from the middle of a joint it begins
 
 
 class Sketch:
@@ -224,23 +222,23 @@ class Sketch:
 
     def base(self) -> None:
         """The plate on which the first joint stands, with the floor below it."""
-        low = -(_HALF + 0.26 + _BASE) * self.thick
-        self.solid("base", "base", at(0, (0, 0, low), (0, 0, low + _BASE * self.thick)),
+        low = -(HALF + 0.26 + PLATE) * self.thick
+        self.solid("base", "base", at(0, (0, 0, low), (0, 0, low + PLATE * self.thick)),
                    (1.7 * self.thick, 1.6 * self.thick), part="base", link=0)
         if self.floor is not None:
             self.floor = replace(self.floor, height=low)
 
     def hinge(self, joint: int, frame: int) -> None:
         """A joint that turns about the z axis of a frame, the one after its motion."""
-        half = (0, 0, _HALF * self.thick)
+        half = (0, 0, HALF * self.thick)
         self.solid(f"joint-{joint}", "iron", at(frame, np.negative(half), half),
                    (self.thick, self.thick), part="joint", joint=joint, link=joint)
 
     def limb(self, link: int, start: int, end: int, last: bool = False) -> None:
         """A link along the x axes of two frames, from a joint to the next or to the arm's tip."""
-        skin = _SKIN * self.thick
+        skin = SKIN * self.thick
         ends = ((start, skin, 0.0, 0.0), (end, 0.0 if last else -skin, 0.0, 0.0))
-        self.solid(f"link-{link}", "steel", ends, (_THIN * self.thick, _TAPER * self.thick),
+        self.solid(f"link-{link}", "steel", ends, (THIN * self.thick, TAPER * self.thick),
                    part="link", link=link)
 
     def solid(self, gid: str, style: str, ends: Iterable[Point], radii: tuple[float, float],

@@ -16,6 +16,7 @@ import numpy as np
 from .camera import Lens
 from .paints import Paint
 from .scene import BALL, BOX, TUBE
+from .vectors import cross, norm, unit
 
 
 class Across(NamedTuple):
@@ -123,21 +124,6 @@ def _half(chain: Iterable[tuple]) -> list[tuple]:
     return kept
 
 
-# Arithmetic with single vectors: numpy's own norm and cross product take longer to be called.
-
-def _norm(vector: np.ndarray) -> float:
-    return math.sqrt(vector @ vector)
-
-
-def _unit(vector: np.ndarray) -> np.ndarray:
-    return vector / (_norm(vector) or 1.0)
-
-
-def _cross(one: np.ndarray, other: np.ndarray) -> np.ndarray:
-    (a, b, c), (d, e, f) = one.tolist(), other.tolist()
-    return np.array((b * f - c * e, c * d - a * f, a * e - b * d))
-
-
 # ---- tubes ----
 
 _HUB = 0.66                                    # radius of the disc on an end
@@ -156,11 +142,11 @@ class _Tube:
 
     @cached_property
     def length(self) -> float:
-        return _norm(self.ends[1] - self.ends[0])
+        return norm(self.ends[1] - self.ends[0])
 
     @cached_property
     def direction(self) -> np.ndarray:
-        return _unit(self.ends[1] - self.ends[0]) if self.length > 0 else self.frame[:3, 2]
+        return unit(self.ends[1] - self.ends[0]) if self.length > 0 else self.frame[:3, 2]
 
     @cached_property
     def sideways(self) -> np.ndarray:
@@ -168,8 +154,8 @@ class _Tube:
         along, guide = self.direction, self.frame[:3, 2]
         if abs(guide @ along) > 0.9:
             guide = self.frame[:3, 0]
-        first = _unit(guide - (guide @ along) * along)
-        return np.array([first, _cross(along, first)])
+        first = unit(guide - (guide @ along) * along)
+        return np.array([first, cross(along, first)])
 
     @cached_property
     def seen_end(self) -> int | None:
@@ -185,7 +171,7 @@ class _Tube:
 
     def skin(self, side: np.ndarray, direction: np.ndarray) -> np.ndarray:
         """Where the skin looks where `side` lies: a cone's leans to its thin end."""
-        return _unit(self.length * side + (self.radii[0] - self.radii[1]) * direction)
+        return unit(self.length * side + (self.radii[0] - self.radii[1]) * direction)
 
 
 def _tube(lens: Lens, points: np.ndarray, radii: Sequence[float], paint: Paint,
@@ -210,13 +196,13 @@ def _flank(tube: _Tube, *, open_: bool) -> Across:
     of it is seen.
     """
     lens, middle, n = tube.lens, tube.ends.mean(axis=0), tube.lens.turn(tube.direction)
-    eye, (*place, size) = _unit(lens.turn(lens.eye(middle))), lens.see(middle)
-    near, tall = float(n @ eye), _norm(_cross(n, eye))
-    across = _unit(_cross(n, eye)) if tall > _EDGE_ON else np.array([1.0, 0.0, 0.0])
+    eye, (*place, size) = unit(lens.turn(lens.eye(middle))), lens.see(middle)
+    near, tall = float(n @ eye), norm(cross(n, eye))
+    across = unit(cross(n, eye)) if tall > _EDGE_ON else np.array([1.0, 0.0, 0.0])
     deep = 2 * tube.radii[1 if near > 0 else 0] * near
     share = _disc_share(tall * tube.length, deep) if open_ else 0.0
     end = _shine(n if near > 0 else -n)
-    ahead = _cross(across, n)
+    ahead = cross(across, n)
     sides = [u * across + math.sqrt(1 - u * u) * ahead for u in _STOPS]
     levels = tuple(_level((1 - share) * _shine(tube.skin(side, n)) + share * end)
                    for side in sides)
@@ -273,16 +259,16 @@ def _box(lens: Lens, points: np.ndarray, size: Sequence[float], paint: Paint,
          frame: np.ndarray) -> list[Face]:
     along, u, v = points[1:] - points[0]
     ahead = tuple(size[:1]) == (1.0,)
-    if _norm(along) <= _HAIR * max(_norm(u), _norm(v)):
+    if norm(along) <= _HAIR * max(norm(u), norm(v)):
         return []
     if ahead and along @ frame[:3, 2] < 0:
         return []
     halves, middle = [along / 2, u, v], points[0] + along / 2
-    hand, seen = -1 if along @ _cross(u, v) < 0 else 1, []
+    hand, seen = -1 if along @ cross(u, v) < 0 else 1, []
     for k, half in enumerate(halves):
         p, q = halves[(k + 1) % 3], halves[(k + 2) % 3]
         for side in (-1, 1):
-            at, normal = middle + side * half, _unit(side * hand * _cross(p, q))
+            at, normal = middle + side * half, unit(side * hand * cross(p, q))
             if normal @ lens.eye(at) > _EDGE_ON:
                 corners = lens.see(at + _CORNERS @ np.array([p, q]))[:, :2]
                 role = "hub" if k == 0 and paint.get("hub") else "face"

@@ -20,7 +20,7 @@ from .floor import Drop, Ground, drop, faded, give_way, ground, said_once, shado
 from .floor import Solid as Shading
 from .labels import Bar, Label, place, text_size
 from .order import Body, back_to_front
-from .paints import COLOURS, INK, PAINTS, Paint
+from .paints import COLOURS, INK, PAINTS, Paint, pen
 from .scene import (
     AREA,
     ARROW,
@@ -43,6 +43,7 @@ from .scene import (
     Scene,
 )
 from .solids import Across, Face, Round, faces, hull, pale, shades
+from .vectors import unit
 
 _AXIS = (0.075, 30.0, 54.0)     # length of an arrow: of the smaller side; at least; at most (px)
 _PER_SHARED = 0.36              # longer for each frame at the same origin
@@ -59,6 +60,9 @@ _OPEN, _CLOSED = (LINE, TRACE, SWEEP, WAY), (ARROW, FACE, HULL, AREA, PATCH)
 _STROKES = (*_OPEN, *_CLOSED)
 _UNFRAMED = ("axes", "ghost", "trace")  # layers that may leave the picture
 _GRID, _SHADE = "#c3ccd5", "#1d2a38"
+_DROPPED = pen(COLOURS["point"].line, 1.4, dash=(5, 3))
+_GUIDE, _FOOT = pen(COLOURS["point"].line, 1.0, dash=(2, 3)), pen(COLOURS["point"].line, 1.4)
+_STRIPE = pen("#ffffff", 1.7)
 
 Segment = tuple[np.ndarray, np.ndarray]
 
@@ -67,7 +71,7 @@ Segment = tuple[np.ndarray, np.ndarray]
 class Mark:
     """Lines or outlines in px, or words in the middle of the first point.
 
-    With a gradient, `fill` holds a colour for each of its levels.
+    Only what is closed is filled. With a gradient, `fill` holds a colour for each of its levels.
     """
 
     lines: list[np.ndarray]
@@ -122,7 +126,7 @@ class _Piece:
     def body(self) -> Body:
         """As a body that others are drawn before or behind."""
         p, q = self.ends[0], self.ends[min(1, len(self.ends) - 1)]
-        plane = (_unit(q - p), q) if self.item.part == "base" else None
+        plane = (unit(q - p), q) if self.item.part == "base" else None
         wide = np.linalg.norm(self.ends[2:] - p, axis=1).max(initial=0.0)
         return Body(p, q, float(1.1 * wide if self.item.shape == BOX else max(self.size)), plane)
 
@@ -244,9 +248,7 @@ class _Still:
         assert self.floor
         (x, y, z), height = self.frames[k][:3, 3], self.floor.height
         body = Body((x, y, z - 0.02 * (z - height)), (x, y, height), 0.0)
-        paint: Paint = {"stroke": COLOURS["point"].line, "stroke-width": 1.4,
-                        "stroke-linejoin": "round", "stroke-dasharray": (5, 3)}
-        return body, Drawn(f"dropline-{k}", [Mark([self._drop(k).line], paint)])
+        return body, Drawn(f"dropline-{k}", [Mark([self._drop(k).line], _DROPPED)])
 
     def _drop(self, k: int) -> Drop:
         assert self.floor
@@ -272,8 +274,8 @@ class _Still:
             return
         seen = self._seen_ground
         if sunk:
-            pane: Paint = {"stroke": "none", "fill": "#ffffff"}
-            yield Drawn("pane", [Mark([seen.rim], pane, closed=True, opacity=_PANE)])
+            paper: Paint = {"stroke": "none", "fill": "#ffffff"}
+            yield Drawn("pane", [Mark([seen.rim], paper, closed=True, opacity=_PANE)])
         colours = (COLOURS["x"].line, COLOURS["y"].line)
         yield Drawn("ground", [
             *_fading(faded(seen.fade, seen.grid), _GRID, 1.0),
@@ -282,26 +284,18 @@ class _Still:
         shapes = [Shading(piece.item.shape, piece.ends, piece.size)
                   for piece in pieces if piece.faces]
         outlines = [line for line in shadow(self.floor, self.lens, shapes) if len(line)]
-        soft: Paint = {"stroke": _SHADE, "stroke-width": 7, "stroke-linejoin": "round",
-                       "fill": _SHADE}
+        soft, hard = pen(_SHADE, 7, fill=_SHADE), pen("none", 7, fill=_SHADE)
         yield Drawn("shadow", [Mark(outlines, soft, closed=True, opacity=0.09),
-                               Mark(outlines, {**soft, "stroke": "none"}, closed=True,
-                                    opacity=0.12)])
-        stroke: Paint = {"stroke": COLOURS["point"].line, "stroke-width": 1.4,
-                         "stroke-linejoin": "round"}
-        dotted: Paint = {**stroke, "stroke-width": 1.0, "stroke-dasharray": (2, 3)}
-        yield Drawn("foot", [Mark([line for one in drops for line in one.guides], dotted),
-                             Mark([one.foot for one in drops], stroke, closed=True)])
+                               Mark(outlines, hard, closed=True, opacity=0.12)])
+        yield Drawn("foot", [Mark([line for one in drops for line in one.guides], _GUIDE),
+                             Mark([one.foot for one in drops], _FOOT, closed=True)])
 
     # ---- strokes and words ----
 
     def _stroke(self, item: Item) -> Drawn:
         points = self.lens.see(self._room(item))[:, :2]
-        closed = item.shape in _CLOSED
-        paint = PAINTS[item.style].copy()
-        if not closed:
-            paint.pop("fill", None)
-        return Drawn(item.gid, [Mark(outline(item.shape, points), paint, closed)], item)
+        return Drawn(item.gid, [Mark(outline(item.shape, points), PAINTS[item.style],
+                                     item.shape in _CLOSED)], item)
 
     def _dots(self, item: Item) -> Drawn:
         """A cloud, each dot a stroke too short to see: Agg draws none without length."""
@@ -377,14 +371,12 @@ def _skins(piece: _Piece) -> Drawn:
     back = pale if paint.get("faded") else str
     ramp = [back(colour) for colour in shades(paint["ramp"])]
     hub = [back(colour) for colour in shades(paint["hub"])] if "hub" in paint else ramp
-    edge: Paint = {"stroke": back(paint["stroke"]), "stroke-width": paint["stroke-width"],
-                   "stroke-linejoin": "round"}
-    stripe: Paint = {"stroke": "#ffffff", "stroke-width": 1.7, "stroke-linejoin": "round"}
+    edge = pen(back(paint["stroke"]), paint["stroke-width"])
     marks = []
     for face in piece.faces:
         colours = hub if face.role == "hub" else ramp
         if face.role == "mark":
-            marks.append(Mark([face.points], stripe))
+            marks.append(Mark([face.points], _STRIPE))
         elif face.gradient:
             levels = tuple(colours[level] for level in face.gradient.levels)
             marks.append(Mark([face.points], edge, True, face.gradient, levels))
@@ -399,14 +391,12 @@ def _fading(pieces: tuple[np.ndarray, np.ndarray], colour: str, width: float) ->
     lines, opacity = pieces
     steps = np.ceil(10 * opacity).astype(int)
     for step in np.unique(steps):
-        paint: Paint = {"stroke": colour, "stroke-width": width, "stroke-linejoin": "round"}
-        yield Mark(list(lines[steps == step]), paint, opacity=0.1 * float(step))
+        yield Mark(list(lines[steps == step]), pen(colour, width), opacity=0.1 * float(step))
 
 
 def _lettering(item: Item, leader: Sequence | None, at: tuple[float, float]) -> list[Mark]:
     paint = PAINTS[item.style]
-    thin: Paint = {"stroke": paint.get("stroke", "#5b6770"), "stroke-width": 0.8,
-                   "stroke-linejoin": "round"}
+    thin = pen(paint.get("stroke", "#5b6770"), 0.8)
     words: Paint = {"fill": paint.get("words") or paint.get("fill", INK)}
     lines = [Mark([np.array(leader)], thin)] if leader else []
     return [*lines, _text(item.text, at, words)]
@@ -441,7 +431,3 @@ def arrow(ends: np.ndarray) -> np.ndarray:
     head = min(_HEAD, 0.5 * length)
     neck, side = tip - head * along, 0.36 * head * np.array([-along[1], along[0]])
     return np.array([tail, neck, neck + side, tip, neck - side, neck, tail])
-
-
-def _unit(vector: np.ndarray) -> np.ndarray:
-    return vector / (np.linalg.norm(vector) or 1.0)
