@@ -9,6 +9,7 @@ import { frames, roomPoint } from "./frames.js";
 import { place } from "./labels.js";
 import { backToFront } from "./order.js";
 import { Axis, Solid, Stroke, Words, whole } from "./parts.js";
+import { moversOf } from "./pointing.js";
 import { Steady } from "./steady.js";
 import { clip } from "./steps.js";
 import { arrange, drawn } from "./svg.js";
@@ -54,6 +55,12 @@ export class Picture {
    */
   off = new Set();
   steady = new Steady();
+
+  /**
+   * The joints that move what does not say what it is; found when somebody points.
+   * @type {Map<string, number[]> | undefined}
+   */
+  movers;
 
   restless = false;                                 // whether labels are still on their way
 
@@ -156,12 +163,15 @@ export class Picture {
    * @param {Pointed | null} pointed
    */
   light(pointed) {
+    if (pointed) this.movers ??= moversOf(this.scene);
+    const isLit = (/** @type {Whole} */ item) => !pointed || isMeant(item, pointed) ||
+      (this.movers?.get(item.gid)?.some((joint) => pointed.joints?.has(joint)) ?? false);
     for (const solid of this.solids) {
-      const meant = !pointed || isMeant(solid.item, pointed);
+      const meant = isLit(solid.item);
       solid.light(meant, Boolean(pointed) && meant && solid.item.style === "steel");
     }
     for (const part of [...this.axes, ...this.strokes, ...this.words]) {
-      part.light(!pointed || isMeant(part.item, pointed));
+      part.light(isLit(part.item));
     }
   }
 

@@ -2,7 +2,8 @@
 // of their parts, and hear of it, so that all that belongs to a joint lights up together.
 
 import { valued } from "./dom.js";
-import { branch } from "./frames.js";
+import { cornersOf } from "./curves.js";
+import { branch, frames } from "./frames.js";
 import { Listeners } from "./listeners.js";
 import { clip, replaced } from "./steps.js";
 
@@ -126,6 +127,7 @@ export class Pointing {
   listen(listener) { return this.listeners.add(listener); }
 }
 
+const ELSEWHERE = ["ghost", "trace"];               // layers of where the arm is not
 const SHARES = [0.23, 0.61], GOLDEN = 0.618;        // of the knobs' ranges: poses like any other
 
 /**
@@ -142,6 +144,23 @@ export function holdings(knobs, read) {
     const moved = moves[p][joint] ??= read(replaced(pose, joint, others[p][joint]));
     return moved[k] !== before[p][k];
   }) ? [joint + 1] : []));
+}
+
+/**
+ * The joints that move each item of a sketch that does not say what it is a picture of: arrows,
+ * lines, and points with their names.
+ * @param {Pick<Scene, "items" | "knobs" | "motions" | "radius">} scene
+ * @returns {Map<string, number[]>} by the items' gid
+ */
+export function moversOf({ items, knobs, motions, radius }) {
+  const points = new Set(items.flatMap(({ part, frame }) => part === "point" ? [frame] : []));
+  const silent = items.filter(({ joint, link, frame, layer = "" }) => joint == null &&
+    link == null && (!frame || points.has(frame)) && !ELSEWHERE.includes(layer));
+  const held = holdings(knobs, (q) => {
+    const all = frames(motions, q), near = (/** @type {number} */ e) => (e / radius).toFixed(9);
+    return silent.map((item) => cornersOf(item, { motions, all, q }).flat().map(near).join());
+  });
+  return new Map(silent.map(({ gid }, k) => [gid, held[k]]));
 }
 
 /**

@@ -3,7 +3,7 @@ import { test } from "node:test";
 
 import { branch } from "../../../kinlab/browser/frames.js";
 import { arcFigure, slideFigure } from "../../../kinlab/browser/marks.js";
-import { Pointing, belonging, holdings, inWords, pictured, ties }
+import { Pointing, belonging, holdings, inWords, moversOf, pictured, ties }
   from "../../../kinlab/browser/pointing.js";
 import { readTerm } from "../../../kinlab/browser/terms.js";
 
@@ -186,4 +186,21 @@ test("a slide that is seen end on has a name and no arrow heads", () => {
   const { way, heads, name } = slideFigure([3, 0, 0], [3, 0, 50], above);
   assert.ok([...way.flat(), ...name].every(Number.isFinite));
   assert.equal(heads.length, 0);
+});
+
+test("arrows and points that say nothing are moved by the joints before them", () => {
+  const at = (frame, ...place) => [frame, ...place];
+  const items = [
+    { gid: "arrow", shape: "arrow", points: [at(0, 0, 0, 0), at(2, 1, 0, 0)] },
+    { gid: "axis-point", shape: "line", points: [at(1, 0, 0, 0)] },
+    { gid: "far", shape: "line", part: "point", frame: "P", points: [at(2, 0, 0, 0)] },
+    { gid: "far-name", shape: "text", part: "label", frame: "P", points: [at(2, 0, 0, 0)] },
+    { gid: "link", shape: "tube", link: 1, points: [at(1, 1, 0, 0)] },
+    { gid: "x-1", shape: "arrow", part: "frame", frame: "1", points: [at(1, 1, 0, 0)] },
+    { gid: "trace", shape: "trace", layer: "trace", points: [at(2, 0, 0, 0)] },
+  ];
+  const found = moversOf({ items, motions: [turn(0), slide(0, 1)], radius: 3,
+                           knobs: [knob("θ₁", -1, 1), knob("d₂", 1, 2)] });
+  assert.deepEqual([...found], [["arrow", [1, 2]], ["axis-point", []], ["far", [1, 2]],
+                                ["far-name", [1, 2]]]);
 });
