@@ -14,7 +14,8 @@ from rjsmin import jsmin
 
 HERE = Path(__file__).parent
 _DARK = re.compile(r"\[data-jp-theme-light=\"false\"] (:is\(.*?\n\})", re.DOTALL)
-_REMARK, _AIR = re.compile(r"/\*.*?\*/", re.DOTALL), re.compile(r"\s*([{};,])\s*")  # in a style
+_REMARK = re.compile(r"/\*.*?\*/", re.DOTALL)
+_AIR = re.compile(r"\s*([{};,])\s*|(?<=:)\s+")  # in a style
 _IMPORT = re.compile(r'^import \{([^}]*)\} from "\./([\w.]+)";\n', re.MULTILINE)
 # rjsmin would take the spaces out of a text in backquotes within another one.
 _NESTED = re.compile(r"`[^`]*\$\{[^}`]*`")

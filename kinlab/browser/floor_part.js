@@ -1,7 +1,7 @@
 // The floor in an SVG picture: what floor.js says stands on it.
 
 import { FADE, drop, giveWay, ground, saidOnce, shadow } from "./floor.js";
-import { drawn, letter, polygon, polyline, put, px, reveal } from "./svg.js";
+import { Pool, display, drawn, letter, polygon, polyline, put, px } from "./svg.js";
 
 /** @import { Body } from "./order.js" */
 /** @import { Ground, RulerNumber, Words as FloorWords } from "./floor.js" */
@@ -15,33 +15,6 @@ let floors = 0;                                     // each gradient of the page
 /** @type {(part: string, ...nodes: SVGElement[]) => SVGGElement} */
 const named = (part, ...nodes) =>
   drawn("g", { class: `kl-${part}`, "data-part": part, "data-frame": "0" }, ...nodes);
-
-/** A group with as many nodes as are wanted. */
-class Pool {
-  /** @type {SVGElement[]} */
-  nodes = [];
-
-  /** @param {SVGGElement} group @param {() => SVGElement} make */
-  constructor(group, make) {
-    this.group = group;
-    this.make = make;
-  }
-
-  /**
-   * Fill a node for each value and hide the rest.
-   * @template Value
-   * @param {Value[]} values
-   * @param {(node: SVGElement, value: Value) => void} fill
-   */
-  show(values, fill) {
-    values.forEach((value, k) => {
-      if (!this.nodes[k]) this.group.append(this.nodes[k] = this.make());
-      reveal(this.nodes[k], true);
-      fill(this.nodes[k], value);
-    });
-    this.nodes.slice(values.length).forEach((node) => reveal(node, false));
-  }
-}
 
 export class FloorPart {
   on = true;
@@ -83,9 +56,7 @@ export class FloorPart {
   /** @param {boolean} on */
   show(on) {
     this.on = on;
-    for (const node of [this.group, this.words, ...this.lines]) {
-      node.style.display = on ? "" : "none";
-    }
+    for (const node of [this.group, this.words, ...this.lines]) display(node, on);
     if (!on) this.settle();
   }
 

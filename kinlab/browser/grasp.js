@@ -1,5 +1,6 @@
 // Hands on the picture: what can be held there is dragged by a pointer or moved by keys.
 
+import { onPicture } from "./camera.js";
 import { claim, hear, make, write } from "./dom.js";
 import { chainTo, pullHandle, pullJoint, roundness, speeds, touched } from "./handles.js";
 import { frames } from "./frames.js";
@@ -72,6 +73,12 @@ export class Grasp {
 
   /** How the picture was seen when it was drawn last. */
   get lens() { return /** @type {Lens} */ (this.picture.lens); }
+
+  /** Where the knobs are and the frames with them, drawn or not. */
+  now() {
+    const q = this.joints.read();
+    return { q, all: frames(this.scene.motions, q) };
+  }
 
   // ---- what a pointer is at ----
 
@@ -150,12 +157,11 @@ export class Grasp {
   grab(event) {
     const found = event.button ? null : this.find(event) ?? this.called(event);
     if (!found) return null;
-    const { hold, item } = found, { lens } = this, q = this.joints.read();
-    const { hand } = this.at(event), all = frames(this.scene.motions, q);
-    const reached = Number.isFinite(found.far);
+    const { hold, item } = found, { lens } = this, { hand } = this.at(event);
+    const { all, q } = this.now(), reached = Number.isFinite(found.far), before = q.slice();
     const place = item ? touched(item, all, hand, lens).place : hold.place(all);
-    const [x, y] = lens.see(place), off = reached ? [hand[0] - x, hand[1] - y] : [0, 0];
-    const start = { all, q, hand: [x, y], lens }, before = q.slice();
+    const [x, y] = onPicture(lens, place), off = reached ? [hand[0] - x, hand[1] - y] : [0, 0];
+    const start = { all, q, hand: [x, y], lens };
     const pull = hold.handle ? pullHandle(this.scene, hold.handle, start)
       : pullJoint(this.scene, hold.motion, place, start);
     this.held = hold;
@@ -235,8 +241,8 @@ export class Grasp {
    * @param {Hold} hold
    */
   enter(hold) {
-    const all = frames(this.scene.motions, this.joints.read());
-    hold.describe(all, this.joints.read());
+    const { all, q } = this.now();
+    hold.describe(all, q);
     hold.node.hidden = false;
     hold.node.focus({ preventScroll: true });
     this.drawn();
@@ -257,8 +263,8 @@ export class Grasp {
     const { key, shiftKey, ctrlKey, metaKey } = event, k = this.holds.indexOf(hold);
     if (ctrlKey || metaKey) return;
     const on = { "]": 1, "[": -1, Tab: shiftKey ? -1 : 1 }[key];
-    const next = this.holds[key === "Tab" ? k + (on ?? 0)
-      : (k + (on ?? 0) + this.holds.length) % this.holds.length];
+    const to = k + (on ?? 0), { length } = this.holds;
+    const next = this.holds[key === "Tab" ? to : (to + length) % length];
     if (key === "Tab" && !next) return;             // out of the picture
     if (key === "Escape") this.box.focus();
     else if (on) this.enter(next);
@@ -308,8 +314,8 @@ export class Grasp {
    * @param {boolean} fine
    */
   carried(hold, [right, down], fine) {
-    const { lens, scene } = this, q = this.joints.read(), all = frames(scene.motions, q);
-    const [x, y] = lens.see(hold.place(all)), start = { all, q, hand: [x, y], lens };
+    const { lens, scene } = this, { all, q } = this.now();
+    const [x, y] = onPicture(lens, hold.place(all)), start = { all, q, hand: [x, y], lens };
     const step = 10 ** Math.floor(Math.log10(scene.radius / 10)) * lens.scale / (fine ? 10 : 1);
     if (!hold.handle) return q;
     return pullHandle(scene, hold.handle, start)([x + right * step, y + down * step], lens, q);

@@ -5,7 +5,7 @@ import { cornersOf, isThere } from "./curves.js";
 import { roomPoint } from "./frames.js";
 import { textSize } from "./labels.js";
 import { OFFSETS, dimmed, faces, hull, pale, shades } from "./solids.js";
-import { drawn, polygon, polyline, put, px, reveal } from "./svg.js";
+import { display, drawn, polygon, polyline, put, px, reveal } from "./svg.js";
 import { clip } from "./steps.js";
 import { dot, minus, norm, partway, plus, times, unit } from "./vectors.js";
 
@@ -42,7 +42,7 @@ export class Part {
   /** @param {boolean} on */
   show(on) {
     this.layerOn = on;
-    this.group.style.display = this.on ? "" : "none";
+    display(this.group, this.on);
   }
 
   /** @param {number[]} q */
@@ -105,7 +105,7 @@ export class Solid extends Part {
   /** @param {boolean} on */
   show(on) {
     super.show(on);
-    for (const { group } of this.pieces) group.style.display = this.group.style.display;
+    for (const { group } of this.pieces) display(group, this.on);
   }
 
   get ramp() { return this.ramps[!this.lit ? "dim" : this.pointed ? "pointed" : "plain"]; }
@@ -331,14 +331,14 @@ export class Axis extends Part {
     super(item);
     this.group.append(this.path);
     const { gid, style, part, frame, link } = item;
-    this.hint = drawn("path", { id: `${gid}-hint`, class: `kl-hint kl-hint-${style}`,
+    this.hint = drawn("path", { id: `${gid}-hint`, class: `kl-hint kl-${style}`,
       "data-part": part, "data-frame": frame, "data-link": link });
   }
 
   /** @param {boolean} on */
   show(on) {
     super.show(on);
-    this.hint.style.display = this.group.style.display;
+    display(this.hint, this.on);
   }
 
   /** @param {boolean} lit */

@@ -65,6 +65,13 @@ export function letter(node, text) {
 export const reveal = (node, visible) =>
   put(node, "visibility", visible ? "inherit" : "hidden");
 
+/**
+ * Whether an element is there at all, to be seen and to be held.
+ * @param {SVGElement} node
+ * @param {boolean} on
+ */
+export const display = (node, on) => { node.style.display = on ? "" : "none"; };
+
 /** @type {(value: number) => string} */
 export const px = (value) => value.toFixed(1);
 
@@ -88,5 +95,32 @@ export function arrange(parent, ordered) {
   for (const node of ordered) {
     if (node === next) next = node.nextElementSibling;
     else parent.insertBefore(node, next);
+  }
+}
+
+/** A group with as many nodes as are wanted. */
+export class Pool {
+  /** @type {SVGElement[]} */
+  nodes = [];
+
+  /** @param {SVGGElement} group @param {() => SVGElement} make */
+  constructor(group, make) {
+    this.group = group;
+    this.make = make;
+  }
+
+  /**
+   * Fill a node for each value and hide the rest.
+   * @template Value
+   * @param {Value[]} values
+   * @param {(node: SVGElement, value: Value) => void} fill
+   */
+  show(values, fill) {
+    values.forEach((value, k) => {
+      if (!this.nodes[k]) this.group.append(this.nodes[k] = this.make());
+      reveal(this.nodes[k], true);
+      fill(this.nodes[k], value);
+    });
+    this.nodes.slice(values.length).forEach((node) => reveal(node, false));
   }
 }
