@@ -21,6 +21,8 @@ STYLE = bundle.style("live.css")
 PIXELS = 0.11                    # the browser has one decimal
 WALKED = 0.5                     # words walk 140 steps to their places, which sum up roundings
 LEADER = 0.8                     # px: the width of a line that leads to words
+ON_THE_WAY = 4.0                 # px: names of a view that was mounted just now
+GROUND = ("numbers", "coordinates")  # words of the floor: they give way to names
 AROUND = np.linspace(0, 2 * np.pi, 48, endpoint=False)
 RAYS = np.stack([np.cos(AROUND), np.sin(AROUND)])
 
@@ -162,6 +164,24 @@ def _marked(group: str, mark) -> list[Stroke]:
 
 
 # ---- both hands ----
+
+def assert_same_view(page, scene, q, preset, show) -> None:
+    """What a mounted view paints is what `still` does; its names go on finding their places."""
+    size = page.evaluate("live.picture.size")
+    hands = strokes(page.evaluate(TELL)), pythons(scene, q, preset, show, size)
+    assert_same(*([one for one in hand if not _walks(one)] for hand in hands))
+    named, wanted = ({one.group: one for one in hand if one.text and one.group not in GROUND}
+                     for hand in hands)
+    assert {group: one.text for group, one in named.items()} == {
+        group: one.text for group, one in wanted.items()}
+    for group, one in named.items():
+        np.testing.assert_allclose(one.points, wanted[group].points, atol=ON_THE_WAY, err_msg=group)
+
+
+def _walks(stroke: Stroke) -> bool:
+    """Whether a stroke is words, or leads to some."""
+    return bool(stroke.text) or stroke.width == LEADER
+
 
 def assert_same(browser: list[Stroke], python: list[Stroke]) -> None:
     """Both pictures: what is painted, in which order, where, and in which colours."""

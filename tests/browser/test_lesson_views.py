@@ -3,26 +3,35 @@ import re
 
 import numpy as np
 import pytest
-from hands import assert_both_hands_agree
 from lesson_views import VIEWS
+from painted import STYLE, assert_same_view
 from plain import MOUNT
+from reading import SETTLE
 from test_plain_page import js_frames
 
 
+@pytest.fixture(scope="module")
+def styled(blank):
+    """A blank page with the style of a view."""
+    blank.add_style_tag(content=STYLE)
+    return blank
+
+
 @pytest.mark.parametrize("make", VIEWS.values(), ids=VIEWS)
-def test_a_lessons_view_moves_as_python_says(blank, make):
+def test_a_lessons_view_moves_as_python_says(styled, make):
     view = make()
     scene = view._scene
     low, high = np.array([(knob.low, knob.high) for knob in view._scene.knobs]).T
     for share in (0.31, 0.77):
         view._move(low + share * (high - low))
         q = view._values.tolist()
-        blank.evaluate(MOUNT, [view.scene, q])
-        np.testing.assert_allclose(js_frames(blank, scene, q), scene.frames(q),
+        styled.evaluate(MOUNT, [view.scene, q])
+        np.testing.assert_allclose(js_frames(styled, scene, q), scene.frames(q),
                                    rtol=1e-9, atol=1e-9)
-        assert_both_hands_agree(blank, scene, q, scene.seen_from, scene.shown)
-        assert_formulas(blank, view)
-        blank.evaluate("live.dismount()")
+        styled.evaluate(SETTLE)
+        assert_same_view(styled, scene, q, scene.seen_from, scene.shown)
+        assert_formulas(styled, view)
+        styled.evaluate("live.dismount()")
 
 
 def assert_formulas(page, view):
