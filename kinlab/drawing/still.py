@@ -146,13 +146,12 @@ class _Still:
     def painted(self) -> list[Drawn]:
         pieces = [self._lit(piece) for item in self._of(SOLIDS) for piece in self._pieces(item)]
         sunk, standing = self._ordered(pieces)
-        drops = [self._drop(k) for k in self.floor.drops] if self.floor else []
         strokes = self._of(_STROKES)
         below, over = ([item for item in strokes if (item.body >= 0) is above]
                        for above in (False, True))
         under = [*map(self._dots, self._of([CLOUD])), *map(self._stroke, below)]
-        numbers, *words = self._words(pieces, drops)
-        return [*sunk, *self._ground(pieces, drops, bool(sunk)), numbers, *under,
+        numbers, *words = self._words(pieces)
+        return [*sunk, *self._ground(pieces, bool(sunk)), numbers, *under,
                 *standing, *self._hints(), *map(self._stroke, self._far_to_near(over)), *words]
 
     def _of(self, shapes: Sequence[str]) -> list[Item]:
@@ -213,8 +212,7 @@ class _Still:
             _, skin, tip = self._axis(item)
             things.append((Body(skin, tip, 0.0),
                            Drawn(item.gid, [self._arrow(item, skin, tip)], item)))
-        for k in self.floor.drops if self.floor else ():
-            things.append(self._dropped(k))
+        things += [self._dropped(k) for k in self._drops]
         order = back_to_front([body for body, _ in things], self.lens)
         sides: tuple[list[Drawn], list[Drawn]] = [], []
         for k in order:
@@ -248,11 +246,13 @@ class _Still:
         assert self.floor
         (x, y, z), height = self.frames[k][:3, 3], self.floor.height
         body = Body((x, y, z - 0.02 * (z - height)), (x, y, height), 0.0)
-        return body, Drawn(f"dropline-{k}", [Mark([self._drop(k).line], _DROPPED)])
+        return body, Drawn(f"dropline-{k}", [Mark([self._drops[k].line], _DROPPED)])
 
-    def _drop(self, k: int) -> Drop:
-        assert self.floor
-        return drop(self.floor, self.lens, self.size, self.frames[k][:3, 3])
+    @cached_property
+    def _drops(self) -> dict[int, Drop]:
+        """The lines dropped on the floor, by the frame that each comes from."""
+        return {k: drop(self.floor, self.lens, self.size, self.frames[k][:3, 3])
+                for k in self.floor.drops} if self.floor else {}
 
     def _hints(self) -> Iterator[Drawn]:
         """The arrows of frames once more, dashed, over what hides them."""
@@ -269,7 +269,7 @@ class _Still:
         assert self.floor
         return ground(self.floor, self.lens, self.size)
 
-    def _ground(self, pieces: list[_Piece], drops: list[Drop], sunk: bool) -> Iterator[Drawn]:
+    def _ground(self, pieces: list[_Piece], sunk: bool) -> Iterator[Drawn]:
         if not self.floor:
             return
         seen = self._seen_ground
@@ -287,6 +287,7 @@ class _Still:
         soft, hard = pen(_SHADE, 7, fill=_SHADE), pen("none", 7, fill=_SHADE)
         yield Drawn("shadow", [Mark(outlines, soft, closed=True, opacity=0.09),
                                Mark(outlines, hard, closed=True, opacity=0.12)])
+        drops = self._drops.values()
         yield Drawn("foot", [Mark([line for one in drops for line in one.guides], _GUIDE),
                              Mark([one.foot for one in drops], _FOOT, closed=True)])
 
@@ -317,10 +318,10 @@ class _Still:
         exact = self.lens.scale / _SAME
         return sorted(items, key=lambda item: np.floor(exact * np.mean(depths[item.body]) + 0.5))
 
-    def _words(self, pieces: list[_Piece], drops: list[Drop]) -> Iterator[Drawn]:
+    def _words(self, pieces: list[_Piece]) -> Iterator[Drawn]:
         """The numbers on the rulers that others leave room for, then names and coordinates."""
         items = self._of([TEXT, NAME])
-        coordinates = said_once(drops)
+        coordinates = said_once(list(self._drops.values()))
         labels = [*map(self._label, items),
                   *(Label(words.place, None, words.w, words.h) for words in coordinates)]
         places, _ = place(labels, self._strokes(),
