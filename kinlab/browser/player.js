@@ -30,24 +30,26 @@ export class Mover {
   }
 
   /**
-   * Move joints through poses, each in `duration` ms, for ever if `loop`.
+   * Move joints through poses, each in `duration` ms, for ever if `loop`. Who prefers less motion
+   * sees each pose stand still for as long.
    * @param {Drive} joints
    * @param {number[][]} poses
    * @param {number} duration
    */
   start(joints, poses, duration, loop = false) {
     this.stop();
-    if (wantsCalm()) duration = 0;
+    const still = wantsCalm();
+    if (still && !loop) duration = 0;
     let from = joints.read(), next = 0, began = performance.now();
     this.goal = poses[0];
     const step = (/** @type {number} */ now) => {
       const t = duration ? clip((now - began) / duration, 0, 1) : 1;
-      const to = poses[next], s = smooth(t);
-      this.write(joints, t < 1 ? from.map((q, i) => q + s * (to[i] - q)) : to);
+      const to = poses[next], s = smooth(t), between = t < 1 && !still;
+      this.write(joints, between ? from.map((q, i) => q + s * (to[i] - q)) : to);
       if (t === 1) {
         [from, began, next] = [to, now, next + 1];
         if (next === poses.length) {
-          if (!loop || !duration) return this.stop();
+          if (!loop) return this.stop();
           next = 0;
         }
         this.goal = poses[next];

@@ -136,6 +136,11 @@ def test_a_question_stands_beside_the_picture(visit, width):
     assert box(view, "h1")["bottom"] <= question["y"] < box(view, ".kl-joints")["y"]
 
 
+def test_two_arms_side_by_side_are_no_strip_on_a_phone(visit):
+    picture = visit("solve", 390).locator(".kl-picture").bounding_box()
+    assert picture["height"] > 0.7 * picture["width"]
+
+
 @pytest.mark.parametrize("name", ["alpha_ii", "intelledex_660t", "limits", "solve"])
 def test_a_full_screen_is_filled_and_all_of_it_is_seen(visit, name):
     view = visit(name, 1920)
@@ -293,6 +298,27 @@ def test_without_motion_a_step_is_there_at_once(browser, folder):
     page.get_by_role("button", name="Step forward").click()
     settle(page)
     assert page.locator(".kl-field").input_value() == "2.0"
+    page.close()
+
+
+def test_without_motion_play_shows_one_pose_after_another(browser, folder):
+    page = browser.new_page(reduced_motion="reduce")
+    page.goto((folder / "alpha_ii.html").as_uri())
+    page.evaluate("""() => {
+        window.shown = new Map();
+        const look = now => {
+            const q = [...document.querySelectorAll(".kl-field")].map(field => field.value).join();
+            const [first] = shown.get(q) ?? [now];
+            shown.set(q, [first, now]);
+            requestAnimationFrame(look);
+        };
+        look(performance.now());
+    }""")
+    page.get_by_role("button", name="Play").click()
+    page.wait_for_function("shown.size > 2")
+    stood = page.evaluate("[...shown.values()].slice(1, -1).map(([from, to]) => to - from)")
+    assert min(stood) > 500  # ms: they do not flicker
+    assert page.get_by_role("button", name="Pause").is_visible()
     page.close()
 
 
