@@ -235,6 +235,9 @@ def test_on_paper_it_is_the_still_picture_with_its_numbers(visit):
         assert page.locator(selector).first.is_visible(), selector
     assert page.locator("body").evaluate("b => getComputedStyle(b).color") == "rgb(43, 49, 56)"
     assert page.pdf().count(b"/Type /Page\n") == 1
+    page.set_viewport_size({"width": 717, "height": 1000})  # A4 within a browser's usual margins
+    last = page.locator(".kl-pose td").last.bounding_box()
+    assert last["x"] + last["width"] <= 717
 
 
 def test_dark_where_the_system_is_dark(visit):
