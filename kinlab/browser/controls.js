@@ -114,7 +114,8 @@ class Row {
   }
 
   restore() {
-    this.field.value = this.shown = this.value.toFixed(this.knob.digits);
+    const text = this.value.toFixed(this.knob.digits);
+    this.field.value = this.shown = Number(text) === 0 ? text.replace("-", "") : text;
     if (this.reason) this.wrong("");
   }
 

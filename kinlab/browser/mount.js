@@ -38,7 +38,8 @@ function limits(knobs, q) {
     if (whole) return [];                           // its last stage is an end, not a limit
     const slack = 1e-6 * (high - low);
     if (q[i] > low + slack && q[i] < high - slack) return [];
-    return `${label} is at its limit, ${Number((q[i] / scale).toFixed(3))}${suffix}`;
+    const at = String(Number((q[i] / scale).toFixed(3))).replace("-", "\u2212");
+    return `${label} is at its limit, ${at}${suffix}`;
   }).join("; ");
 }
 

@@ -205,6 +205,9 @@ def tool_table(arm: Arm, size: float) -> PoseTable:
                      decimals(size), "tool")
 
 
+_TINY = 0.01  # of its unit: three decimals would not tell where such an arm is
+
+
 def tool_name(arm: Arm) -> str:
     """The name of the tool's frame: n, or E where the tool has a frame of its own."""
     return str(arm.n) if np.array_equal(arm.tool, np.eye(4)) else "E"
@@ -212,7 +215,8 @@ def tool_name(arm: Arm) -> str:
 
 def decimals(size: float) -> int:
     """Decimals that tell a thousandth of a picture's size: 1 for millimetres, 3 for metres."""
-    return min(3, max(1, 3 - math.floor(math.log10(size))))
+    wanted = 3 - math.floor(math.log10(size))
+    return max(1, wanted if size < _TINY else min(3, wanted))
 
 
 def subscript(name: str | int) -> str:

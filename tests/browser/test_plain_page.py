@@ -134,9 +134,13 @@ def test_remarks_name_the_joints_at_their_limits(page):
     page.evaluate("joints.write([0, 0.3, 0.1])")
     page.evaluate(PAINTED)
     assert remark.inner_text() == "d₃ is at its limit, 0.1 m"
-    page.evaluate("joints.write([0, 0.3, 0.3])")
+    page.evaluate("joints.write([-Math.PI, 0.3, 0.3])")
+    page.evaluate(PAINTED)
+    assert remark.inner_text() == "θ₁ is at its limit, −180°"
+    page.evaluate("joints.write([-1e-9, 0.3, 0.3])")
     page.evaluate(PAINTED)
     assert remark.inner_text() == ""
+    assert page.locator(".kl-field").first.input_value() == "0.0"
 
 
 def test_a_screen_reader_hears_where_the_tool_is(page):

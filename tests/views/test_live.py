@@ -198,6 +198,8 @@ def test_the_table_names_the_tool_and_rounds_sensibly():
     assert pose["two_link"]["title"].startswith("T₀ₑ")
     assert (pose["alpha_ii"]["unit"], pose["alpha_ii"]["decimals"]) == ("mm", 1)
     assert (pose["two_link"]["unit"], pose["two_link"]["decimals"]) == ("m", 3)
+    tiny = kl.ArmView(kl.Arm([kl.revolute(a=1e-5), kl.revolute(a=1e-5)])).scene["pose"]
+    assert tiny["decimals"] == 8
 
 
 BAD = {
