@@ -402,10 +402,12 @@ def touch_along(page, start, end, steps=8):
 def test_a_finger_holds_what_is_near_and_scrolls_elsewhere(phone):
     shown = Shown(phone, kl.lessons.translation.sliding_view())
     frame, before = shown.scene.handles[0].point[0], shown.q
-    (spot,) = shown.seen(shown.place(frame))
-    end = spot + [-40, -60]
-    touch_along(phone, spot + [15, -14], end + [15, -14])        # 20 px beside it
-    assert apart(shown.seen(shown.place(frame))[0], end) < 2
+    there, (spot, zero, one) = shown.place(frame), (
+        shown.seen(place)[0] for place in (shown.place(frame), [0, 0, 0], [1, 0, 0]))
+    touch_along(phone, spot + [15, -14], spot + [-25, -74])      # from 20 px beside it
+    # The picture then goes to its new frame: what counts is the way in the frame of before.
+    moved = (shown.place(frame) - there)[..., :2] * apart(zero, one)
+    assert np.abs(moved - [-40, 60]).max() < 2
     assert phone.evaluate("scrollY") == 0
     after = shown.q
     assert np.all(after != before)
