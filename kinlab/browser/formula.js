@@ -1,7 +1,7 @@
 // The matrix under a picture. Where it is wider than the page it is shown column by column, each
 // entry in lines as long as the page, so that nobody has to scroll for the position.
 
-import { button, group, make } from "./dom.js";
+import { button, group, hear, make } from "./dom.js";
 
 /** @import { Pose } from "./types.js" */
 
@@ -75,8 +75,11 @@ export function fitFormula(node, names) {
     const factors = lines.querySelectorAll("[data-factor]");
     factors.forEach((factor, k) => { factor.tabIndex = k ? -1 : 0; });
   };
+  const paper = make("div", { class: "kl-on-paper" });   // where nobody can choose
+  const printing = () => paper.replaceChildren(...names.flatMap(({ name }, column) =>
+    rows.map(({ children }, row) => line(children[column], name, row))));
   const columns = make("div", { class: "kl-columns", hidden: "" },
-    group("Columns of the matrix", ...tabs), lines);
+    group("Columns of the matrix", ...tabs), lines, paper);
   const ruler = make("div");                        // as wide as the page, and never higher
   const sizes = new ResizeObserver(() => {
     whole.style.display = "";
@@ -87,5 +90,9 @@ export function fitFormula(node, names) {
   });
   node.append(columns, ruler);
   sizes.observe(ruler);
-  return () => sizes.disconnect();
+  const deaf = hear(window, { beforeprint: printing, afterprint: () => paper.replaceChildren() });
+  return () => {
+    sizes.disconnect();
+    deaf();
+  };
 }

@@ -18,6 +18,7 @@ from .layout import Layout
 from .scene import AXIS, LINE, NAME, TEXT, TRACE, Fit, Floor, Item, Scene, Step, at
 
 _AXES = np.eye(3)
+_LONGEST = 20  # letters of a joint's name in the picture
 
 
 def is_planar(arm: Arm) -> bool:
@@ -120,8 +121,13 @@ def _names(layout: Layout, bodies: Bodies) -> Iterator[Item]:
     for i, link in enumerate(layout.arm.links):
         if link.name:
             place = at(layout.joints[i], (0, 0, bodies.places[i].along))
-            yield Item(f"name-{i + 1}", TEXT, "ink", place, layer="names", text=link.name,
+            yield Item(f"name-{i + 1}", TEXT, "ink", place, layer="names", text=_brief(link.name),
                        part="label", joint=i + 1, link=i)
+
+
+def _brief(name: str) -> str:
+    """A name that covers no more than a part of the picture; its slider has it in full."""
+    return name if len(name) <= _LONGEST else f"{name[:_LONGEST - 1]}…"
 
 
 def _trace(layout: Layout) -> list[Item]:

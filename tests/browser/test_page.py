@@ -240,6 +240,22 @@ def test_on_paper_it_is_the_still_picture_with_its_numbers(visit):
     assert last["x"] + last["width"] <= 717
 
 
+def test_on_paper_a_wide_matrix_shows_all_its_columns(visit):
+    page, view = visit("alpha", width=390)
+    lines, buttons = view.locator(".kl-on-paper > div"), view.locator(".kl-columns button")
+    expect(buttons.first).to_be_visible()
+    page.emulate_media(media="print")
+    page.evaluate("dispatchEvent(new Event('beforeprint'))")
+    assert [line.get_attribute("data-entry") for line in lines.all()] == [
+        f"{row},{column}" for column in (1, 2, 3, 4) for row in (1, 2, 3)]
+    expect(lines.last).to_be_visible()
+    expect(buttons.first).to_be_hidden()
+    page.emulate_media(media="screen")
+    page.evaluate("dispatchEvent(new Event('afterprint'))")
+    expect(lines).to_have_count(0)
+    expect(buttons.first).to_be_visible()
+
+
 def test_dark_where_the_system_is_dark(visit):
     paint = """view => [getComputedStyle(view).backgroundColor,
         getComputedStyle(view.querySelector('.kl-x path')).stroke]"""

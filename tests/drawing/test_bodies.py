@@ -220,3 +220,10 @@ def test_arms_at_the_edge_are_whole_and_finite(arm, share):
 def test_every_point_of_a_picture_is_finite(arm, share):
     for drawn in still(arm_scene(arm), within(arm, share), "3-D", LAYERS):
         assert all(np.isfinite(line).all() for mark in drawn.marks for line in mark.lines)
+
+
+def test_a_long_name_does_not_cover_the_picture():
+    names = ["elbow", "x" * 20, "a very long name of a joint", None]
+    arm = kl.Arm([kl.revolute(a=1, name=name) for name in names])
+    shown = [item.text for item in arm_scene(arm).items if item.layer == "names"]
+    assert shown == ["elbow", "x" * 20, "a very long name of…"]
