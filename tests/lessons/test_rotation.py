@@ -47,8 +47,8 @@ def test_dashed_lines_are_the_components_of_the_axes(theta):
     assert np.allclose(at["frame-1-y"], flat((0, 0), (-s, c)))
     assert np.allclose([*view.readings["x"], *view.readings["y"]], turn(theta).T)
     marks = {item.text: at[item.gid][0] for item in view._scene.items if item.text}
-    assert np.allclose(marks["cos θ"], (c / 2, -0.1, 0))
-    assert np.allclose(marks["sin θ"], (c + 0.22, s / 2, 0))
+    assert np.allclose(marks["cos θ"], (c / 2, 0, 0))
+    assert np.allclose(marks["sin θ"], (c, s / 2, 0))
 
 
 @given(angles)
