@@ -292,6 +292,7 @@ function unitOf(light) {
 // ---- axes of frames ----
 
 const AXIS_SHARE = 0.075, AXIS_LEAST = 30, AXIS_MOST = 54;   // of the smaller side; px
+const PART_OF_NAME = 10, FALLING = 1.25;            // px; the scale falls while arrows are framed
 const PER_SHARED = 0.36;                            // longer for each frame at the same origin
 const ARROW_HEAD = 9;                               // px
 
@@ -308,6 +309,21 @@ export function arrowPoints([tail, tip]) {
   return [tail, neck, wing(1), tip, wing(-1), neck, tail];
 }
 
+/** @type {(picture: number[]) => number} */
+const axisLength = (picture) => clip(AXIS_SHARE * Math.min(...picture), AXIS_LEAST, AXIS_MOST);
+
+/**
+ * As much of an arrow as would not have room in the picture's margin.
+ * @param {Triple[]} places its origin, and a unit vector from there
+ * @param {number[]} size of the item
+ * @param {number} scale of the picture, more or less
+ * @param {number[]} picture its width and height
+ */
+export function longTip([origin, beyond], [inside, rank], scale, picture) {
+  const over = axisLength(picture) * PER_SHARED * rank + PART_OF_NAME;
+  return plus(origin, times(minus(beyond, origin), inside + FALLING * over / scale));
+}
+
 /**
  * Where an axis leaves the solids at its origin, and its tip: as long on every picture.
  * @param {Triple[]} places its origin, and a unit vector from there
@@ -316,7 +332,7 @@ export function arrowPoints([tail, tip]) {
  * @param {number[]} picture its width and height
  */
 function axisEnds([origin, beyond], [inside, rank], lens, picture) {
-  const long = clip(AXIS_SHARE * Math.min(...picture), AXIS_LEAST, AXIS_MOST);
+  const long = axisLength(picture);
   const way = minus(beyond, origin), length = inside + long * (1 + PER_SHARED * rank) / lens.scale;
   return { origin, skin: plus(origin, times(way, 1.04 * inside)),
            tip: plus(origin, times(way, length)) };

@@ -8,7 +8,7 @@ import { FloorPart } from "./floor_part.js";
 import { frames, roomPoint } from "./frames.js";
 import { place } from "./labels.js";
 import { backToFront } from "./order.js";
-import { Axis, Solid, Stroke, Words, whole } from "./parts.js";
+import { Axis, Solid, Stroke, Words, longTip, whole } from "./parts.js";
 import { moversOf } from "./pointing.js";
 import { Steady } from "./steady.js";
 import { clip } from "./steps.js";
@@ -84,7 +84,7 @@ export class Picture {
     this.layers = this.layOut();
     this.svg = drawn("svg", { role: "img" }, ...Object.values(this.layers));
     this.move(scene.home);
-    this.home = this.extents();
+    this.home = { balls: this.extents(), axes: this.axes.map(({ room }) => room) };
     this.reset(scene.preset);
     this.resize(scene.size[0], scene.size[1]);
   }
@@ -204,15 +204,29 @@ export class Picture {
   }
 
   /**
+   * The lens through which nothing leaves the picture. How far arrows reach depends on its scale:
+   * a first lens tells that well enough.
+   * @param {Triple} middle
+   */
+  framed(middle) {
+    const { scene, camera, size, home } = this;
+    if (!scene.fit) return lens(scene, camera, size, [], [], middle);
+    const now = this.extents(), first = lens(scene, camera, size, now, home.balls, middle);
+    const tips = (/** @type {Triple[][]} */ rooms) => rooms.map((room, k) =>
+      bare(longTip(room, this.axes[k].item.size, first.scale / camera.zoom, size)));
+    return lens(scene, camera, size, [...now, ...tips(this.axes.map(({ room }) => room))],
+                [...home.balls, ...tips(home.axes)], middle);
+  }
+
+  /**
    * Draw the scene at the knobs' values; gives the frames there.
    * @param {number[]} q
    */
   draw(q) {
     this.move(q);
     const { scene, size, at } = this, { focus, center } = scene;
-    const middle = focus == null ? center : at[focus][3], extents = scene.fit ? this.extents() : [];
-    const seen = this.lens = this.steady.through(
-      lens(scene, this.camera, size, extents, this.home, middle));
+    const middle = focus == null ? center : at[focus][3];
+    const seen = this.lens = this.steady.through(this.framed(middle));
     this.follow(at[scene.tip][3]);
     for (const part of this.heeding) part.heed(q);
     for (const stroke of this.strokes) {

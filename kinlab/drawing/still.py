@@ -13,7 +13,7 @@ from itertools import pairwise
 import numpy as np
 
 from ..arms.motions import Numbers
-from .camera import Camera, Extents, lens
+from .camera import Camera, Extents, Lens, lens
 from .cloud import FADES, SLICE, layers, unpacked
 from .curves import corners, is_there
 from .floor import Drop, Ground, drop, faded, give_way, ground, said_once, shadow
@@ -47,6 +47,7 @@ from .vectors import unit
 
 _AXIS = (0.075, 30.0, 54.0)     # length of an arrow: of the smaller side; at least; at most (px)
 _PER_SHARED = 0.36              # longer for each frame at the same origin
+_NAME, _MORE = 10.0, 1.25       # px: part of a name; the scale falls while arrows are framed
 _SKIN = 1.04                    # where an arrow begins, in radii of the solid that it comes out of
 _HEAD = 9.0                     # px: of an arrow
 _LEAST_CUT = 0.02               # of a tube: shorter ends are not cut off at the floor
@@ -140,8 +141,34 @@ class _Still:
                       if (not item.layer or item.layer in show) and is_there(item, q)]
         self.floor: Floor | None = scene.floor if "floor" in show or not any(
             switch.layer == "floor" for switch in scene.switches) else None
-        camera, middle = Camera(*scene.presets[preset]), scene.middle(self.frames)
-        self.lens = lens(scene, camera, size, self._extents(q), self._extents(scene.begin), middle)
+        self.lens = self.framed(Camera(*scene.presets[preset]))
+
+    def framed(self, camera: Camera) -> Lens:
+        """The lens through which nothing leaves the picture.
+
+        How far arrows reach depends on its scale: a first lens tells that well enough.
+        """
+        scene, middle = self.scene, self.scene.middle(self.frames)
+        now, home = (self._extents(q) for q in (self.q, scene.begin))
+        first = lens(scene, camera, self.size, now, home, middle)
+        if not scene.fit:
+            return first
+        now, home = ([*balls, *self._tips(q, first.scale / camera.zoom)]
+                     for q, balls in ((self.q, now), (scene.begin, home)))
+        return lens(scene, camera, self.size, now, home, middle)
+
+    def _tips(self, q: Numbers, scale: float) -> Extents:
+        """What of long arrows would not have room in the picture's margin."""
+        share, least, most = _AXIS
+        long = min(most, max(least, share * min(self.size)))
+        frames, balls = self.scene.frames(q), list[tuple[Numbers, float]]()
+        for item in self.scene.items:
+            if item.shape == AXIS:
+                origin, beyond = corners(item, self.scene.motions, frames, q)
+                inside, rank = item.size
+                over = long * _PER_SHARED * rank + _NAME
+                balls.append((origin + (inside + _MORE * over / scale) * (beyond - origin), 0.0))
+        return balls
 
     def painted(self) -> list[Drawn]:
         pieces = [self._lit(piece) for item in self._of(SOLIDS) for piece in self._pieces(item)]

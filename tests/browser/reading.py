@@ -14,7 +14,7 @@ from playwright.sync_api import Locator, Page, expect
 
 import kinlab as kl
 from kinlab.drawing.arm_scene import arm_scene
-from kinlab.drawing.camera import Camera, lens
+from kinlab.drawing.camera import Camera
 from kinlab.drawing.still import _Still
 
 PIXELS = 0.16  # a path has one decimal
@@ -121,8 +121,7 @@ def _fitted(flat, marked):
 def _scale(robot, q, camera, size):
     scene = scene_of(robot)
     shown = _Still(scene, q, scene.seen_from, scene.shown, tuple(size))
-    return lens(scene, Camera(*camera), tuple(size), shown._extents(q),
-                shown._extents(scene.begin), scene.middle(scene.frames(q))).scale
+    return shown.framed(Camera(*camera)).scale
 
 
 def assert_table(seen: dict, robot, q, decimals: int) -> None:
