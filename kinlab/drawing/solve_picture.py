@@ -17,7 +17,7 @@ from .readings import Entry
 from .scene import LINE, TEXT, WAY, Fit, Scene, Step, at, circle
 from .sketch import Sketch
 
-SIZE = (940.0, 400.0)  # px
+SIZE = (940.0, 560.0)  # px
 _STYLES, _MARKERS = ("first", "second"), ("dot", "square")
 _GAP, _EDGE = 0.35, 0.12  # of the reach: between the arms, and round them
 

@@ -201,7 +201,7 @@ def test_what_is_being_typed_is_never_touched(table):
 def steady(seen):
     """What another arm and back leaves as it was: words are placed anew for each arm."""
     paths = {gid: path for gid, path in seen["paths"].items()
-             if gid != "trace" and not gid.startswith("label-")}
+             if gid != "trace" and not gid.startswith(("label-", "name-"))}
     return paths, seen["shown"], seen["arrows"], seen["size"]
 
 
@@ -210,7 +210,8 @@ LABELS = """editor => new Promise(done => {
     let last = '', same = 0;
     const seen = name => getComputedStyle(name).visibility === 'visible';
     const look = () => {
-        const now = [...editor.querySelectorAll('.kl-picture [id^=label-] > *')].filter(seen)
+        const now = [...editor.querySelectorAll(
+            '.kl-picture :is([id^=label-], [id^=name-]) > *')].filter(seen)
             .map(name => ['d', 'x', 'y'].map(key => name.getAttribute(key)).join(' '));
         same = now.join() === last ? same + 1 : 0;
         last = now.join();
