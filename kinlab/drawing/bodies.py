@@ -28,6 +28,7 @@ THIN, TAPER = 0.7, 0.56  # radius of a link where it begins and where it ends
 _STEM = 1.45           # radius of the column on the base
 PLATE = 0.32           # height of the base
 _GRIP = 2.7            # how far a gripper reaches
+_NOTHING = 1e-6        # of the arm's size: a slide that nobody sees
 _UPRIGHT = 0.9         # cosine: nearer than this to an axis counts as along it
 
 
@@ -262,7 +263,8 @@ def _straightened(way: list[np.ndarray], near: float) -> list[np.ndarray]:
 def _approach(layout: Layout) -> np.ndarray:
     """Direction of the last slide in the tool frame; z where a joint turns after it."""
     turned = max(k for k, motion in enumerate(layout.motions) if motion.joint is not None)
-    slides = [k for k, m in enumerate(layout.motions) if m.kind == TRANSLATE and k >= turned]
+    slides = [k for k, m in enumerate(layout.motions) if m.kind == TRANSLATE and k >= turned
+              and (m.joint is not None or abs(m.amount) > _NOTHING * layout.radius)]
     if not slides:
         return _AXES[2]
     last = layout.motions[slides[-1]]

@@ -58,7 +58,7 @@ def test_sliders_move_the_arm_as_kinematics_says(live, robot):
     q = wait_for_kernel(page, robot, values)
     np.testing.assert_allclose(in_units(robot, q), values, atol=1e-9)
 
-    drag(page, view, -1, 40)
+    drag(page, view, -1, 80)
     moved = check(view, robot, camera)
     assert moved[-1] > values[-1] + 3 * steps[-1]
     np.testing.assert_allclose(moved[:-1], values[:-1], atol=1e-9)

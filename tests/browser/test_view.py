@@ -174,10 +174,16 @@ def test_home_zero_and_play_move_smoothly(live):
     assert_stands_still(view)
 
 
+def drawn(seen):
+    """What is drawn, without the lines to names that still go to their places."""
+    return {gid: path for gid, path in seen["paths"].items()
+            if not gid.startswith(("label-", "name-"))}
+
+
 def assert_stands_still(view):
     first = read(view)
     view.page.wait_for_timeout(300)
-    assert read(view)["paths"] == first["paths"]
+    assert len(drawn(first)) > 30 and drawn(read(view)) == drawn(first)
     values = first["readouts"]
     q = wait_for_kernel(view.page, ALPHA, values)
     assert_picture(first, ALPHA, q, THREE_D)
