@@ -16,7 +16,8 @@ SIZES = """() => [...document.querySelectorAll('svg')].map(svg => {
     const [,, wide, high] = svg.getAttribute('viewBox').split(' ');
     const letters = [...svg.querySelectorAll('text')].map(
         text => parseFloat(getComputedStyle(text).fontSize));
-    return {scale: [box.width / wide, box.height / high], least: Math.min(...letters)};
+    return {scale: [box.width / wide, box.height / high], side: Math.min(box.width, box.height),
+            least: Math.min(...letters)};
 })"""
 CHART = """() => Object.fromEntries([...document.querySelectorAll('[data-curve]')].map(g => [
     g.dataset.curve, Object.fromEntries([...g.children].map(
@@ -100,9 +101,10 @@ def test_words_of_a_chart_are_as_large_at_every_width(page, width):
     page.evaluate(MOVE, [2])
     page.wait_for_function("() => document.querySelector('.kl-chart svg text')")
     page.evaluate(PAINTED)
-    for size in page.evaluate(SIZES):
-        np.testing.assert_allclose(size["scale"], 1, atol=0.02)
-        assert size["least"] >= 12
+    picture, plot = page.evaluate(SIZES)
+    np.testing.assert_allclose(picture["scale"], np.clip(picture["side"] / 620, 1, 1.6), atol=0.02)
+    np.testing.assert_allclose(plot["scale"], 1, atol=0.02)
+    assert min(picture["least"], plot["least"]) >= 12
     chart = page.locator(".kl-chart").bounding_box()
     assert chart["width"] > 280 and chart["x"] + chart["width"] <= width
 
