@@ -7,6 +7,7 @@ import pytest
 from lab import open_browser, open_notebook, run_all, shut_down_kernels, start_lab
 from plain import LOAD, SOURCE
 from playwright.sync_api import Error
+from reading import RESTED
 
 KERNEL = {"name": "python3", "display_name": "Python 3", "language": "python"}
 # JupyterLab's own, when a notebook is closed before its debugger has answered.
@@ -146,6 +147,7 @@ def live(notebook):
         found = page.locator(".jp-Notebook:visible .kl-view")
         found.nth(views - 1).locator(".kl-picture svg").wait_for()
         found.nth(views - 1).locator(".kl-field").last.wait_for()
+        page.evaluate(RESTED)
         return [found.nth(k) for k in range(views)]
 
     return show

@@ -41,6 +41,22 @@ READ = """view => {
 SETTLE = """() => new Promise(done => requestAnimationFrame(() => requestAnimationFrame(
     () => setTimeout(done, 0))))"""
 
+RESTED = """() => new Promise(done => {
+    const STILL = 12;                                // pictures of the screen, one after another
+    let last = '', same = 0;
+    const look = () => {
+        const now = [...document.querySelectorAll('.kl-view')].map(view => {
+            const { x, y, width, height } = view.getBoundingClientRect();
+            return [x, y, width, height].join(' ');
+        }).join();
+        same = now === last ? same + 1 : 0;
+        last = now;
+        if (same < STILL) requestAnimationFrame(look);
+        else done();
+    };
+    look();
+})"""
+
 
 @cache
 def scene_of(robot):
@@ -50,6 +66,21 @@ def scene_of(robot):
 def settle(page: Page) -> None:
     """Wait until what was asked for has been painted."""
     page.evaluate(SETTLE)
+
+
+def take(handle: Locator) -> tuple[float, float]:
+    """Press on the middle of a slider, and say where that is in the window (px).
+
+    JupyterLab lays cells out anew as they come into sight: the slider is taken once all rests.
+    """
+    page = handle.page
+    handle.scroll_into_view_if_needed()
+    page.evaluate(RESTED)
+    handle.hover()
+    page.mouse.down()
+    expect(handle).to_be_focused()  # what was pressed is the slider
+    box = handle.bounding_box()
+    return box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
 
 
 def read(view: Locator) -> dict:

@@ -10,6 +10,7 @@ from reading import (
     read,
     scene_of,
     settle,
+    take,
     wait_for_kernel,
 )
 
@@ -68,10 +69,7 @@ def test_sliders_move_the_arm_as_kinematics_says(live, robot):
 
 def drag(page, view, k, distance, steps=8):
     """Drag slider k's handle by some pixels, with a painted frame after each small move."""
-    box = view.get_by_role("slider").nth(k).bounding_box()
-    x, y = box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
-    page.mouse.move(x, y)
-    page.mouse.down()
+    x, y = take(view.get_by_role("slider").nth(k))
     for step in range(1, steps + 1):
         page.mouse.move(x + distance * step / steps, y)
         settle(page)

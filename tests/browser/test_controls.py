@@ -3,7 +3,7 @@ import numpy as np
 import pytest
 from lab import run_code
 from playwright.sync_api import expect
-from reading import assert_picture, from_units, kernel_q, read, settle, wait_for_kernel
+from reading import assert_picture, from_units, kernel_q, read, settle, take, wait_for_kernel
 
 import kinlab as kl
 
@@ -170,10 +170,7 @@ TABLE = "import kinlab as kl\neditor = kl.DHTableEditor(kl.robots.alpha_ii())\ne
 
 def grip(view, k):
     """Take slider k in its middle and pull it a little."""
-    box = view.get_by_role("slider").nth(k).bounding_box()
-    x, y = box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
-    view.page.mouse.move(x, y)
-    view.page.mouse.down()
+    x, y = take(view.get_by_role("slider").nth(k))
     view.page.mouse.move(x + 12, y, steps=3)
     settle(view.page)
     return x, y

@@ -11,6 +11,7 @@ from reading import (
     assert_table,
     read,
     settle,
+    take,
     wait_for_kernel,
     wait_for_readouts,
 )
@@ -49,10 +50,8 @@ def drag(view, k, start, end, seconds):
     Sixty moves a second at most; on a busy machine it takes longer, and holds the same.
     """
     page, handle = view.page, view.get_by_role("slider").nth(k)
-    track = handle.bounding_box()
-    y, began = track["y"] + track["height"] / 2, time.perf_counter()
-    handle.hover()
-    page.mouse.down()
+    _, y = take(handle)
+    track, began = handle.bounding_box(), time.perf_counter()
     for count, share in enumerate(np.linspace(start, end, round(60 * seconds))):
         page.mouse.move(track["x"] + share * track["width"], y)
         settle(page)

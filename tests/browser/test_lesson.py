@@ -3,7 +3,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from reading import assert_picture, from_units, read, scene_of, settle, wait_for_kernel
+from reading import assert_picture, from_units, read, scene_of, settle, take, wait_for_kernel
 
 import kinlab as kl
 
@@ -14,14 +14,8 @@ LESSONS = Path(__file__).parents[2] / "notebooks"
 def test_a_lesson_runs_and_its_first_arm_moves(live, name, robot):
     (view,) = live(LESSONS / f"{name}.ipynb")
     page = view.page
-    view.scroll_into_view_if_needed()
     before = read(view)["readouts"]
-    handle = view.get_by_role("slider").nth(1)
-    handle.scroll_into_view_if_needed()
-    box = handle.bounding_box()
-    x, y = box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
-    page.mouse.move(x, y)
-    page.mouse.down()
+    x, y = take(view.get_by_role("slider").nth(1))
     for step in range(1, 9):
         page.mouse.move(x - 5 * step, y)
         settle(page)
