@@ -126,6 +126,9 @@ def test_a_wide_page_is_filled_and_all_is_beside_the_picture(visit):
     for part in ("h1", ".kl-joints", ".kl-pose", "math"):
         assert box(view, part)["x"] > picture["right"], part
     assert box(view, ".kl-below")["bottom"] < 1080 and box(view, ".kl-toolbar")["bottom"] < 1080
+    for part in (".kl-pose td", ".kl-knob span", ".kl-field"):  # to be read from the last row
+        size = view.locator(part).first.evaluate("n => parseFloat(getComputedStyle(n).fontSize)")
+        assert size > 20, part
 
 
 @pytest.mark.parametrize("width", [1280, 1920])
