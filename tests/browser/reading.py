@@ -41,21 +41,28 @@ READ = """view => {
 SETTLE = """() => new Promise(done => requestAnimationFrame(() => requestAnimationFrame(
     () => setTimeout(done, 0))))"""
 
-RESTED = """() => new Promise(done => {
-    const STILL = 12;                                // pictures of the screen, one after another
-    let last = '', same = 0;
-    const look = () => {
-        const now = [...document.querySelectorAll('.kl-view')].map(view => {
-            const { x, y, width, height } = view.getBoundingClientRect();
-            return [x, y, width, height].join(' ');
-        }).join();
-        same = now === last ? same + 1 : 0;
-        last = now;
-        if (same < STILL) requestAnimationFrame(look);
-        else done();
-    };
-    look();
-})"""
+
+def at_rest(look: str) -> str:
+    """JavaScript that gives what `look` sees of a node, once it has been the same for 20 frames."""
+    return f"""node => new Promise(done => {{
+        let last = '', same = 0;
+        const look = () => {{
+            const now = ({look})(node);
+            same = now.join() === last ? same + 1 : 0;
+            last = now.join();
+            if (same === 20) done(now);
+            else requestAnimationFrame(look);
+        }};
+        look();
+    }})"""
+
+
+# Where all views of a page are, once they stay there: JupyterLab lays cells out anew as they come
+# into sight.
+RESTED = at_rest("""() => [...document.querySelectorAll('.kl-view')].map(view => {
+    const { x, y, width, height } = view.getBoundingClientRect();
+    return [x, y, width, height].join(' ');
+})""")
 
 
 @cache
@@ -68,19 +75,21 @@ def settle(page: Page) -> None:
     page.evaluate(SETTLE)
 
 
-def take(handle: Locator) -> tuple[float, float]:
-    """Press on the middle of a slider, and say where that is in the window (px).
+def middle(locator: Locator) -> tuple[float, float]:
+    """The middle of an element in the window (px)."""
+    box = locator.bounding_box()
+    return box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
 
-    JupyterLab lays cells out anew as they come into sight: the slider is taken once all rests.
-    """
+
+def take(handle: Locator) -> tuple[float, float]:
+    """Press on the middle of a slider once the page rests, and say where that is (px)."""
     page = handle.page
     handle.scroll_into_view_if_needed()
     page.evaluate(RESTED)
     handle.hover()
     page.mouse.down()
     expect(handle).to_be_focused()  # what was pressed is the slider
-    box = handle.bounding_box()
-    return box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
+    return middle(handle)
 
 
 def read(view: Locator) -> dict:

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from lab import run_code, set_theme
 from playwright.sync_api import expect
-from reading import assert_picture, read, settle
+from reading import assert_picture, at_rest, read, settle
 
 import kinlab as kl
 
@@ -205,21 +205,11 @@ def steady(seen):
     return paths, seen["shown"], seen["arrows"], seen["size"]
 
 
-# Where the words stand and what leads to them, once they have stood still for 20 frames.
-LABELS = """editor => new Promise(done => {
-    let last = '', same = 0;
-    const seen = name => getComputedStyle(name).visibility === 'visible';
-    const look = () => {
-        const now = [...editor.querySelectorAll(
-            '.kl-picture :is([id^=label-], [id^=name-]) > *')].filter(seen)
-            .map(name => ['d', 'x', 'y'].map(key => name.getAttribute(key)).join(' '));
-        same = now.join() === last ? same + 1 : 0;
-        last = now.join();
-        if (same === 20) done(now);
-        else requestAnimationFrame(look);
-    };
-    look();
-})"""
+# Where the words stand and what leads to them, once they stand still.
+LABELS = at_rest("""editor => [...editor.querySelectorAll(
+        '.kl-picture :is([id^=label-], [id^=name-]) > *')]
+    .filter(name => getComputedStyle(name).visibility === 'visible')
+    .map(name => ['d', 'x', 'y'].map(key => name.getAttribute(key)).join(' '))""")
 
 
 def test_the_view_stays_as_it_was_turned(table):

@@ -3,7 +3,7 @@ import numpy as np
 import pytest
 from plain import LOAD, MOUNT, SOURCE
 from playwright.sync_api import expect
-from reading import SETTLE, kernel_q, settle
+from reading import SETTLE, kernel_q, middle, settle
 
 import kinlab as kl
 from kinlab.browser import bundle
@@ -431,8 +431,7 @@ def test_a_finger_turns_a_link(phone):
 def test_python_hears_of_a_dragged_link(live):
     (view,) = live("import kinlab as kl\nview = kl.ArmView(kl.robots.two_link())\nview")
     page, before = view.page, kernel_q(view.page)
-    box = view.locator("#link-2-0").bounding_box()
-    x, y = box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
+    x, y = middle(view.locator("#link-2-0"))
     page.mouse.move(x, y)
     page.mouse.down()
     page.mouse.move(x - 60, y + 10, steps=10)

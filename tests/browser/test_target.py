@@ -4,7 +4,7 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 from plain import LOAD, MOUNT, SOURCE
-from reading import kernel_q, settle
+from reading import kernel_q, middle, settle
 from test_plain_page import COURSE, js_frames
 
 import kinlab as kl
@@ -106,11 +106,6 @@ def test_home_and_joints_take_the_target_along(page):
     np.testing.assert_allclose(kl.forward_kinematics(view.arm, q[:2])[:2, 3], [0.5, 1.2], atol=1e-6)
     page.get_by_role("button", name="Home").click()
     page.wait_for_function("q => joints.q.every((v, k) => Math.abs(v - q[k]) < 1e-9)", arg=start)
-
-
-def middle(locator):
-    box = locator.bounding_box()
-    return box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
 
 
 def test_drag_the_target_in_jupyterlab(live):
