@@ -12,6 +12,7 @@ from fractions import Fraction
 from typing import Any
 
 from ..arms import inputs
+from ..arms.rounded import pi_text
 from .numbers import LONGEST, read_number
 
 ANGLES = {"deg": math.pi / 180, "rad": 1.0}
@@ -153,9 +154,7 @@ def _part_of_pi(angle: float) -> str:
     twelfths = round(angle * 12 / math.pi)
     if not twelfths or not math.isclose(angle, twelfths * math.pi / 12, rel_tol=1e-15):
         return ""
-    part = Fraction(twelfths, 12)
-    times = {1: "pi", -1: "-pi"}.get(part.numerator, f"{part.numerator}*pi")
-    return times if part.denominator == 1 else f"{times}/{part.denominator}"
+    return pi_text(Fraction(twelfths, 12))
 
 
 def _length(text: str, names: Mapping[str, float]) -> float | None:
