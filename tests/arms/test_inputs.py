@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 import sympy as sp
 
-from kinlab.arms.inputs import real_array
+from kinlab.arms.inputs import Note, note, real_array
 
 
 @pytest.mark.parametrize("value", [[Decimal(1), "2"], [Fraction(1, 2), b"2"],
@@ -33,3 +33,27 @@ def test_sympys_nan_is_refused_without_a_warning(value):
 def test_numbers_of_other_kinds_are_read_in_their_shape(value, floats):
     array = real_array("q", value, "numbers")
     assert array.dtype == float and array.tolist() == floats
+
+
+def test_a_note_names_the_line_outside_the_package():
+    inside = {"__name__": "kinlab.some.module", "note": note}
+    exec("def taken(): deeper()\ndef deeper(): note('q: taken as it is')", inside)
+    with pytest.warns(Note, match=r"^q: taken as it is$") as caught:
+        inside["taken"]()
+    assert caught[0].filename == __file__
+    line = open(__file__).read().splitlines()[caught[0].lineno - 1]
+    assert line.strip() == 'inside["taken"]()'
+
+
+def test_a_note_of_a_script_that_calls_it_itself_names_that_line():
+    with pytest.warns(Note) as caught:
+        note("q: taken as it is")
+    assert caught[0].filename == __file__
+
+
+def test_a_package_with_a_longer_name_is_the_students():
+    students = {"__name__": "kinlab_solutions.week_2", "note": note}
+    exec(compile("def taken(): note('q: taken')", "week_2.py", "exec"), students)
+    with pytest.warns(Note) as caught:
+        students["taken"]()
+    assert caught[0].filename == "week_2.py"
