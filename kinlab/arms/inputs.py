@@ -9,7 +9,11 @@ from typing import Any
 
 import numpy as np
 
+# A matrix may be off by this much without a word: well above the rounding of float32, below any
+# number that was read off a page.
 RIGID_TOLERANCE = 1e-6
+# Numbers read off a page have 3 decimals or more: each is off by at most half of the last one.
+PRINTED = 0.5e-3
 # Far beyond any arm; products of three such numbers are still finite.
 LARGEST = 1e100
 MOST = 10**9
@@ -93,17 +97,51 @@ def whole(name: str, value: Any, least: int) -> int:
 
 def rotation(name: str, value: Any) -> np.ndarray:
     """A proper rotation, 2x2 or 3x3: columns of length 1, perpendicular, right-handed."""
+    return rotation_and_error(name, value)[0]
+
+
+def rotation_and_error(name: str, value: Any) -> tuple[np.ndarray, np.ndarray]:
+    """Proper rotations (..., n, n), and how far off the entries of each may be, shape (...).
+
+    Rounded ones are taken as the nearest rotation; all others stay as they are, bit for bit.
+    """
     matrix = real_array(name, value, "a rotation matrix")
     n = matrix.shape[-1] if matrix.ndim > 1 else 0
     if n not in (2, 3) or matrix.shape[-2] != n:
         raise ValueError(f"{name}: expected a rotation matrix 2x2 or 3x3, got shape {matrix.shape}")
-    gap = np.max(np.abs(np.swapaxes(matrix, -1, -2) @ matrix - np.eye(n)), initial=0.0)
-    if gap > RIGID_TOLERANCE:
+    gap = np.abs(np.swapaxes(matrix, -1, -2) @ matrix - np.eye(n)).max(axis=(-2, -1))
+    if (off := gap.max(initial=0.0)) > rounding(n):
         raise ValueError(f"{name}: expected a rotation (columns of length 1, perpendicular), "
-                         f"got one that is off by {gap:.2g}; check its entries")
+                         f"got one that is off by {off:.2g}; check its entries, "
+                         "or give at least 3 decimals")
     if np.any(np.linalg.det(matrix) < 0):
         raise ValueError(f"{name}: expected a right-handed rotation (determinant +1), "
                          "got a mirror image; change the sign of one column")
+    if np.any(rounded := gap > RIGID_TOLERANCE):
+        matrix[rounded] = _nearest_rotation(matrix[rounded])
+        note(f"{name}: taken as the nearest rotation; its entries are rounded, "
+             f"off by {off:.2g}")
+    return matrix, np.maximum(gap, RIGID_TOLERANCE)
+
+
+def rounding(n: int) -> float:
+    """The most by which printed unit vectors of n numbers, u + e, miss u.u = 1 and u.v = 0.
+
+    It is the largest 2 u.e + e.e, at a u whose entries are all alike.
+    """
+    e = math.sqrt(n) * PRINTED
+    return 2 * e + e**2
+
+
+def _nearest_rotation(matrix: np.ndarray) -> np.ndarray:
+    """The orthogonal factor of matrices that are nearly rotations.
+
+    Each Newton-Schulz step squares the error: 1e-3, 1e-6, 1e-12, rounding. Unlike a singular
+    value decomposition it leaves the zeros of a matrix alone.
+    """
+    for _ in range(3):
+        matrix = matrix @ (1.5 * np.eye(matrix.shape[-1])
+                           - 0.5 * np.swapaxes(matrix, -1, -2) @ matrix)
     return matrix
 
 
@@ -114,11 +152,13 @@ def rigid(name: str, value: Any) -> np.ndarray:
 
 def rigids(name: str, matrices: np.ndarray) -> np.ndarray:
     """Rigid homogeneous matrices, shape (..., 4, 4)."""
-    rotation(f"{name}[:3, :3]", matrices[..., :3, :3])
+    R = rotation(f"{name}[:3, :3]", matrices[..., :3, :3])
     off = np.any(np.abs(matrices[..., 3, :] - [0, 0, 0, 1]) > RIGID_TOLERANCE, axis=-1)
     if np.any(off):
         raise ValueError(f"{name}: expected the last row 0 0 0 1, "
                          f"got {matrices[off][0, 3].tolist()}")
+    matrices = matrices.copy()
+    matrices[..., :3, :3] = R
     return matrices
 
 

@@ -97,7 +97,7 @@ def homogeneous(R: Any, o: Any) -> np.ndarray:
         raise ValueError("R, o: expected shapes (..., 2, 2) and (..., 2), or (..., 3, 3) and "
                          f"(..., 3), got {R.shape} and {o.shape}")
     inputs.fit_together("R, o", R.shape[:-2], o.shape[:-1])
-    _check_rotation("R", R)
+    R = _rotation("R", R)
     rows = [[R[..., i, j] for j in range(n)] + [o[..., i]] for i in range(n)]
     return stack([*rows, [0] * n + [1]])
 
@@ -212,13 +212,15 @@ def _parts(name: str, T: Any) -> tuple[np.ndarray, np.ndarray]:
     if inputs.has_symbols(T[..., n, :]) or not np.allclose(T[..., n, :].astype(float), last_row):
         raise ValueError(f"{name}: expected the last row {' '.join(map(str, last_row))} of a "
                          "homogeneous matrix; for a bare rotation use its transpose and R @ p")
-    _check_rotation(name, T[..., :n, :n])
-    return T[..., :n, :n], T[..., :n, n]
+    return _rotation(name, T[..., :n, :n]), T[..., :n, n]
 
 
-def _check_rotation(name: str, R: np.ndarray) -> None:
-    if not inputs.has_symbols(R):  # symbols are checked where numbers take their place
-        inputs.rotation(name, R)
+def _rotation(name: str, R: np.ndarray) -> np.ndarray:
+    """The rotation as it may be used; exact numbers stay exact."""
+    if inputs.has_symbols(R):  # symbols are checked where numbers take their place
+        return R
+    taken, error = inputs.rotation_and_error(name, R)
+    return taken if np.any(error > inputs.RIGID_TOLERANCE) else R
 
 
 def _times(R: np.ndarray, p: np.ndarray) -> np.ndarray:

@@ -6,8 +6,13 @@ from fractions import Fraction
 import numpy as np
 import pytest
 import sympy as sp
+from hypothesis import given
+from hypothesis import strategies as st
+from strategies import rotations
+from textbook import rigid, turn
 
-from kinlab.arms.inputs import Note, note, real_array
+import kinlab as kl
+from kinlab.arms.inputs import RIGID_TOLERANCE, Note, note, real_array, rotation
 
 
 @pytest.mark.parametrize("value", [[Decimal(1), "2"], [Fraction(1, 2), b"2"],
@@ -57,3 +62,120 @@ def test_a_package_with_a_longer_name_is_the_students():
     with pytest.warns(Note) as caught:
         students["taken"]()
     assert caught[0].filename == "week_2.py"
+
+
+AS_PRINTED = [[0.866, -0.5, 0], [0.5, 0.866, 0], [0, 0, 1]]
+THIRTY_DEGREES = [[3**0.5 / 2, -0.5, 0], [0.5, 3**0.5 / 2, 0], [0, 0, 1]]
+
+
+def test_a_rotation_as_printed_is_taken_as_the_nearest_with_a_word():
+    """1 - 0.866**2 - 0.5**2 is 0.000044."""
+    with pytest.warns(Note) as caught:
+        R = rotation("R", AS_PRINTED)
+    assert [str(word.message) for word in caught] == [
+        "R: taken as the nearest rotation; its entries are rounded, off by 4.4e-05"]
+    np.testing.assert_allclose(R.T @ R, np.eye(3), atol=1e-15)
+    np.testing.assert_allclose(R, THIRTY_DEGREES, atol=3e-5)
+    assert (R[:, 2] == [0, 0, 1]).all() and (R[2] == [0, 0, 1]).all()
+
+
+def nearest(matrix):
+    """The polar factor by a singular value decomposition."""
+    left, _, right = np.linalg.svd(matrix)
+    return left @ right
+
+
+@given(rotations(st.floats(-7, 7)), st.integers(3, 5))
+@pytest.mark.filterwarnings("ignore::kinlab.arms.inputs.Note")
+def test_every_rotation_of_three_decimals_or_more_is_taken(R, decimals):
+    rounded = np.round(R, decimals)
+    np.testing.assert_allclose(rotation("R", rounded), nearest(rounded), atol=2e-6)
+    planar = np.round(kl.rotation_2d(R[0, 0]), decimals)
+    np.testing.assert_allclose(rotation("R", planar), nearest(planar), atol=2e-6)
+
+
+def test_the_worst_rotation_of_three_decimals_is_taken():
+    """Its third column is off by nearly half of the last decimal in all entries, one way."""
+    third = np.array([0.57749, 0.57749, 0.57708])
+    first = np.array([1, -1, 0]) / 2**0.5
+    R = np.stack([first, np.cross(third, first), third], axis=-1)
+    with pytest.warns(Note):
+        rotation("R", np.round(R / np.linalg.norm(R, axis=0), 3))
+
+
+@given(rotations(st.floats(-7, 7)), st.floats(0, 0.2 * RIGID_TOLERANCE))
+def test_a_rotation_that_is_right_stays_as_it_is(R, noise):
+    R = R + noise * np.array([[1, -1, 1], [1, 1, -1], [-1, 1, 1]])
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        assert (rotation("R", R) == R).all()
+
+
+def test_many_rotations_have_one_word_and_the_right_ones_stay():
+    right = turn((0.6, 0, 0.8), 0.3)
+    with pytest.warns(Note) as caught:
+        R = rotation("R", [right, AS_PRINTED, right, np.round(right, 4)])
+    assert len(caught) == 1
+    assert (R[0] == right).all() and (R[2] == right).all()
+    np.testing.assert_allclose(np.swapaxes(R, 1, 2) @ R, [np.eye(3)] * 4, atol=1e-15)
+
+
+@pytest.mark.parametrize("R, off", [
+    ([[0.87, -0.5, 0], [0.5, 0.87, 0], [0, 0, 1]], "0.0069"),
+    ([[1, 0.01], [0, 1]], "0.01"), (np.diag([2.0, 1, 1]), "3")])
+def test_what_is_no_rounded_rotation_is_told_how_far_off_it_is(R, off):
+    with pytest.raises(ValueError, match=f"^R: expected a rotation .*, got one that is off by {off}"
+                       "; check its entries, or give at least 3 decimals$"):
+        rotation("R", R)
+
+
+def test_a_rounded_mirror_image_is_a_mirror_image():
+    with pytest.raises(ValueError, match="mirror image"):
+        rotation("R", np.array(AS_PRINTED) * [1, 1, -1])
+
+
+POSE = rigid(AS_PRINTED, (1, 2, 3))
+EXACT = rigid(THIRTY_DEGREES, (1, 2, 3))
+BACK = [3**0.5 / -2 - 1, 0.5 - 3**0.5, -3]
+
+
+@pytest.mark.parametrize("argument, taken, exact", [
+    ("base", lambda: kl.Arm([kl.revolute()], base=POSE).base, EXACT),
+    ("tool", lambda: kl.Arm([kl.revolute()], tool=POSE).tool, EXACT),
+    ("R", lambda: kl.homogeneous(AS_PRINTED, [1, 2, 3]), EXACT),
+    ("R", lambda: kl.homogeneous([[0.866, -0.5], [0.5, 0.866]], [1, 2]), EXACT[np.ix_([0, 1, 3],
+                                                                                  [0, 1, 3])]),
+    ("T", lambda: kl.inverse(POSE), rigid(np.transpose(THIRTY_DEGREES), BACK)),
+    ("T", lambda: kl.apply(POSE, [0, 0, 0]), [1, 2, 3]),
+    ("transforms", lambda: kl.compose(np.eye(4), POSE), EXACT),
+    ("R", lambda: kl.zyz_angles(AS_PRINTED).fixed, np.radians(30)),
+])
+def test_every_argument_that_is_a_rotation_may_be_rounded(argument, taken, exact):
+    with pytest.warns(Note, match=rf"^{argument}\b.*: taken as the nearest rotation") as caught:
+        result = taken()
+    assert len(caught) == 1 and caught[0].filename == __file__
+    np.testing.assert_allclose(np.asarray(result, dtype=float), exact, atol=1e-4)
+
+
+def test_targets_as_printed_are_reached():
+    arm = kl.robots.intelledex_660t()
+    T = kl.forward_kinematics(arm, np.linspace(0.1, 0.6, 30).reshape(5, 6))
+    with pytest.warns(Note, match=r"^target\[:3, :3\]: taken"):
+        one = kl.inverse_kinematics(arm, np.round(T[0], 4))
+    with pytest.warns(Note, match=r"^targets\[:3, :3\]: taken") as caught:
+        many = kl.inverse_kinematics_batch(arm, np.round(T, 4))
+    assert one.success and many.success.all() and len(caught) == 1
+    np.testing.assert_allclose(kl.forward_kinematics(arm, many.q), T, atol=1e-3)
+
+
+def test_symbols_beside_a_rounded_rotation_stay():
+    x = sp.Symbol("x")
+    with pytest.warns(Note):
+        T = kl.homogeneous(np.array(AS_PRINTED, dtype=object), [x, 0, 0])
+    assert T[0, 3] == x and float(T[0, 0]) == pytest.approx(3**0.5 / 2, abs=3e-5)
+
+
+def test_exact_numbers_stay_exact():
+    half = sp.sqrt(3) / 2
+    T = kl.homogeneous([[half, -sp.Rational(1, 2)], [sp.Rational(1, 2), half]], [0, 0])
+    assert T[0, 0] == half
