@@ -49,10 +49,12 @@ NUMBERS = {
     "kl.prismatic alpha": lambda x: kl.prismatic(alpha=x),
     "kl.Link theta": lambda x: kl.Link("revolute", theta=x),
     "kl.ZYZAngles phi": FLAT.member,
+    "kl.RPYAngles yaw": kl.rpy_angles(kl.rotation_y(np.pi / 2)).member,
     "kl.forward_kinematics q": lambda x: kl.forward_kinematics(ARM, x),
     "kl.link_frames q": lambda x: kl.link_frames(ARM, x),
     "kl.jacobian q": lambda x: kl.jacobian(ARM, x),
     "kl.zyz_angles R": kl.zyz_angles,
+    "kl.rpy_angles R": kl.rpy_angles,
     "kl.manipulability q": lambda x: kl.manipulability(ARM, x),
     "kl.rank q": lambda x: kl.rank(ARM, x),
     "kl.rank tolerance": lambda x: kl.rank(ARM, ARM.home, tolerance=x),
@@ -79,6 +81,9 @@ SYMBOLS_TOO = {
     "kl.zyz_matrix phi": lambda x: kl.zyz_matrix(x, 0, 0),
     "kl.zyz_matrix theta": lambda x: kl.zyz_matrix(0, x, 0),
     "kl.zyz_matrix psi": lambda x: kl.zyz_matrix(0, 0, x),
+    "kl.rpy_matrix roll": lambda x: kl.rpy_matrix(x, 0, 0),
+    "kl.rpy_matrix pitch": lambda x: kl.rpy_matrix(0, x, 0),
+    "kl.rpy_matrix yaw": lambda x: kl.rpy_matrix(0, 0, x),
 }
 NONE_TOO = {
     "kl.revolute limits": lambda x: kl.revolute(limits=x),
@@ -111,6 +116,8 @@ OTHERS = {
     "kl.to_standard arm": kl.to_standard,
 }
 WORDS = {
+    "kl.rpy_angles order": lambda x: kl.rpy_angles(np.eye(3), x),
+    "kl.rpy_matrix order": lambda x: kl.rpy_matrix(0, 0, 0, x),
     "kl.Link kind": kl.Link,
     "kl.Arm convention": lambda x: kl.Arm(LINKS, convention=x),
     "kl.closed_form lengths": lambda x: kl.closed_form(ONE, lengths=x),
@@ -190,7 +197,7 @@ def is_finite(result):
         return not result.matrix.has(sp.nan, sp.oo, sp.zoo)
     if isinstance(result, kl.InverseResult | kl.InverseBatch):
         return all(map(np.all, map(np.isfinite, (result.q, result.position_error))))
-    if isinstance(result, kl.ZYZAngles | tuple):
+    if isinstance(result, kl.ZYZAngles | kl.RPYAngles | tuple):
         return np.isfinite(tuple(result)).all()
     return not any(entry != entry or entry in (sp.oo, -sp.oo, sp.zoo) for entry in result.flat)
 
@@ -354,7 +361,7 @@ def test_what_a_rigid_matrix_lacks_is_named():
 
 
 @pytest.mark.parametrize("call", ["kl.inverse T", "kl.apply T", "kl.compose transforms",
-                                  "kl.homogeneous R", "kl.zyz_angles R"])
+                                  "kl.homogeneous R", "kl.zyz_angles R", "kl.rpy_angles R"])
 def test_matrices_that_are_not_rigid_are_refused(call):
     for n in (2, 3, 4, 5):
         for matrix in (2 * np.eye(n), np.zeros((n, n)), np.ones((n, n)), np.diag([1.0] * (n - 1) +
@@ -371,7 +378,8 @@ def test_matrices_that_are_not_rigid_are_refused(call):
     ("transforms", lambda: kl.compose(np.eye(3), np.eye(4))),
     ("transforms", lambda: kl.compose()),
     ("phi, theta, psi", lambda: kl.zyz_matrix([1, 2], [1, 2, 3], 0)),
-    ("R", lambda: kl.zyz_angles(np.eye(3)[None])),
+    ("yaw, pitch, roll", lambda: kl.rpy_matrix([1, 2], [1, 2, 3], 0)),
+    ("R", lambda: kl.rpy_angles(np.eye(2))),
     ("R", lambda: kl.zyz_angles(np.eye(2))),
 ])
 def test_arguments_that_do_not_fit_together(names, compute):
