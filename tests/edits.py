@@ -28,7 +28,10 @@ built = st.one_of(
     _edit("with_row"), _edit("with_row", rows), _edit("without_row", rows),
     _edit("with_row_moved", rows, rows), _edit("with_length", st.integers(1, 3), names, texts),
     _edit("without_length", st.integers(1, 3)),
-    _edit("without_end", st.sampled_from(["base", "tool"])))
+    _edit("without_end", st.sampled_from(["base", "tool"])),
+    _edit("with_end", st.sampled_from(["base", "tool"]), st.sampled_from(["pose", "row"])),
+    _edit("with_cell", st.sampled_from(["base", "tool"]),
+          st.sampled_from(["x", "z", "yaw", "roll", *PARAMETERS]), texts | st.sampled_from(GOOD)))
 turned = st.one_of(
     _edit("read_as", st.sampled_from(["standard", "modified"])),
     _edit("converted_to", st.sampled_from(["standard", "modified"])),
@@ -40,7 +43,8 @@ junk = st.one_of(
     _edit("with_row", st.sampled_from(ODD)), _edit("without_row", st.sampled_from(ODD)),
     _edit("with_row_moved", rows, st.sampled_from(ODD)),
     _edit("with_length", st.sampled_from(ODD), names, st.sampled_from(ODD)),
-    _edit("without_end", st.sampled_from(ODD)), _edit("read_as", st.sampled_from(ODD)),
+    _edit("without_end", st.sampled_from(ODD)), _edit("with_end", st.sampled_from(ODD)),
+    _edit("read_as", st.sampled_from(ODD)),
     _edit("converted_to", st.sampled_from(ODD)), _edit("in_unit", st.sampled_from(ODD)),
     _edit("in_angles", st.sampled_from(ODD)))
 edits = typed | built | turned | junk

@@ -9,8 +9,9 @@ from dataclasses import dataclass, field, replace
 
 from ..arms import inputs
 from ..arms.link import PARAMETERS, PRISMATIC, REVOLUTE
-from .as_csv import LONGEST_FILE, frame
+from .as_csv import LONGEST_FILE
 from .cells import angle_text, is_plain, line, number_text
+from .ends import ENDS, End
 from .numbers import parse_number
 from .table import LIMITS, MOST_LENGTHS, MOST_ROWS, DHTable, Place, Row
 
@@ -74,9 +75,9 @@ def _ends(table: DHTable) -> Iterator[str]:
     if table.name:
         yield f"name={_quoted(table.name)}"
     yield f"unit={_quoted(table.unit)}"
-    for end, T in (("base", table.base), ("tool", table.tool)):
-        if T:
-            rows = (", ".join(map(number_text, row)) for row in T)
+    for end in ENDS:
+        if getattr(table, end) and (T := table.end(end)) is not None:
+            rows = (", ".join(map(number_text, row)) for row in T.tolist())
             yield f"{end}=[[{'], ['.join(rows)}]]"
     if any(table.values.get(Place(i, "home")) for i in range(1, len(table.rows) + 1)):
         homes = (_cell(table, i, row, "home") if row.home else "0"
@@ -219,7 +220,7 @@ class _Reader:
             case "base" | "tool", _:
                 numbers = [self.number(entry) for row in self.items(value)
                            for entry in self.items(row)]
-                return replace(table, **frame(word, numbers))
+                return table.with_frame(word, End.read(word, numbers))
             case "home", _ if len(homes := self.items(value)) == len(table.rows):
                 texts = [self.cell(row, "home", home) for row, home in zip(table.rows, homes)]
                 return replace(table, rows=tuple(replace(row, home="" if text == "0" else text)

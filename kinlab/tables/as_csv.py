@@ -5,13 +5,13 @@ import csv
 import io
 from collections.abc import Sequence
 from dataclasses import replace
-from typing import Any
 
 from ..arms import inputs
 from ..arms.arm import CONVENTIONS
 from ..arms.link import PRISMATIC, REVOLUTE
 from .cells import ANGLES, line
-from .table import COLUMNS, MOST_LENGTHS, MOST_ROWS, DHTable, Row, matrix
+from .ends import End
+from .table import COLUMNS, MOST_LENGTHS, MOST_ROWS, DHTable, Row
 
 LONGEST_FILE = 50_000
 _HEADS = {"θ": "theta", "α": "alpha", "type": "joint", "θ*": "theta"}
@@ -34,8 +34,8 @@ def to_csv(table: DHTable) -> str:
     lines = [["name", table.name]] * bool(table.name)
     lines += [["convention", table.convention], ["angles", table.angles], ["lengths", table.unit]]
     lines += [["length", *pair] for pair in table.lengths]
-    lines += [[end, *map(repr, sum(T, ()))]
-              for end, T in (("base", table.base), ("tool", table.tool)) if T]
+    lines += [[end, *frame.words]
+              for end, frame in (("base", table.base), ("tool", table.tool)) if frame]
     columns = [column for column in (*COLUMNS, "name")
                if column in COLUMNS[:4] or any(getattr(row, column) for row in table.rows)]
     lines += [["joint", *columns]]
@@ -135,17 +135,6 @@ def _told(table: DHTable, cells: Sequence[str], number: int) -> DHTable:
         case "length" if len(given) <= 2 and len(table.lengths) < MOST_LENGTHS:
             return table.with_length(len(table.lengths) + 1, *(*given, "", "")[:2])
         case "base" | "tool":
-            return replace(table, **frame(word, given))
+            return table.with_frame(word, End.read(word, given))
     raise ValueError(f"text: line {number} says {inputs.brief(','.join(cells))}; expected name, "
                      "convention, angles, lengths, length, base, tool or a header")
-
-
-def frame(end: str, cells: Sequence) -> dict[str, Any]:
-    """What changes in a table by a base or tool frame, given as 16 numbers, row by row."""
-    try:
-        numbers = [float(cell) for cell in cells]
-        rows = [numbers[k:k + 4] for k in (0, 4, 8, 12)]
-    except (TypeError, ValueError):
-        raise ValueError(f"{end}: expected 16 numbers, row by row, "
-                         f"got {inputs.brief(list(cells))}") from None
-    return {end: matrix(inputs.rigid(end, rows))}

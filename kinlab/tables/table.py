@@ -23,6 +23,7 @@ from .cells import (
     read_angle,
     read_length,
 )
+from .ends import ENDS, FORMS, POSE, ROW, TURNS, End
 from .numbers import name_refused
 
 LIMITS = ("low", "high", "home")
@@ -30,8 +31,6 @@ COLUMNS = PARAMETERS + LIMITS
 MOST_ROWS = MOST_LENGTHS = 20
 _NARROWEST = 1e-6  # rad or length, between the limits of a joint
 _keys = count()
-
-Matrix = tuple[tuple[float, ...], ...]
 
 
 @dataclass(frozen=True)
@@ -68,9 +67,11 @@ class Row:
 
 
 class Place(NamedTuple):
-    """Where something stands: row (from 1) and column, or a named length (from 1)."""
+    """Where something stands: row (from 1) and column, a named length (from 1), or a cell of the
+    base or the tool, whose name stands for a row's number.
+    """
 
-    row: int
+    row: int | str
     column: str
 
 
@@ -88,8 +89,8 @@ class DHTable:
         The unit of all lengths.
     lengths : tuple of (name, text)
         Lengths that cells may name.
-    base, tool : 4x4 tuple or None
-        Carried along unchanged.
+    base, tool : End or None
+        The frames at both ends: typed, or a matrix that is carried along unchanged.
     errors : dict
         The reason, in one line, for each place that cannot be read.
     arm : Arm or None
@@ -111,15 +112,15 @@ class DHTable:
     unit: str = "m"
     lengths: tuple[tuple[str, str], ...] = ()
     name: str = ""
-    base: Matrix | None = None
-    tool: Matrix | None = None
+    base: End | None = None
+    tool: End | None = None
 
     @classmethod
     def of(cls, arm: Arm, angles: str = "deg") -> DHTable:
         """The table of an arm."""
         rows = tuple(_row(link, float(home), angles) for link, home in zip(arm.links, arm.home))
         return cls(rows, arm.convention, angles, line(arm.unit), (), line(arm.name),
-                   matrix(arm.base), matrix(arm.tool))
+                   End.of(arm.base), End.of(arm.tool))
 
     # ---- what it says ----
 
@@ -139,7 +140,16 @@ class DHTable:
         links = [self._link(i, row) for i, row in enumerate(self.rows, start=1)]
         home = [self.values.get(Place(i, "home"), 0.0) for i in range(1, len(links) + 1)]
         return Arm(links, convention=self.convention, name=self.name, unit=self.unit,
-                   base=self.base, tool=self.tool, home=home)
+                   base=self.end("base"), tool=self.end("tool"), home=home)
+
+    def end(self, end: str) -> np.ndarray | None:
+        """The base or the tool as a matrix, shape (4, 4); None if a cell of it cannot be read."""
+        frame = getattr(self, end)
+        if frame is None:
+            return np.eye(4)
+        values = {place.column: value for place, value in self.values.items() if place.row == end}
+        return None if frame.texts and len(values) < len(frame.texts) \
+            else frame.matrix(values, self.convention)
 
     @cached_property
     def _reading(self) -> tuple[dict[Place, float], dict[Place, str]]:
@@ -150,9 +160,18 @@ class DHTable:
             for column in COLUMNS:
                 text = getattr(row, column)
                 if text or column in PARAMETERS:
-                    _note(Place(i, column), self._reader(row, column, names), text, values, errors)
+                    read = self._reading_of(row.is_angle(column), names)
+                    _note(Place(i, column), read, text, values, errors)
             _check_limits(i, row, values, errors)
+        for end, frame in self._ends():
+            for column, text in frame.cells(self.angles).items() if frame.texts else ():
+                read = self._reading_of(column in TURNS, names)
+                _note(Place(end, column), read, text, values, errors)
         return values, errors
+
+    def _ends(self) -> list[tuple[str, End]]:
+        """The base and the tool, as far as there are any."""
+        return [(end, frame) for end in ENDS if (frame := getattr(self, end))]
 
     def _names(self, values: dict, errors: dict) -> dict[str, float]:
         """The lengths given beside, as far as they can be read."""
@@ -168,8 +187,8 @@ class DHTable:
                 errors[place] = reason
         return names
 
-    def _reader(self, row: Row, column: str, names: dict[str, float]) -> Callable[[str], float]:
-        if row.is_angle(column):
+    def _reading_of(self, angle: bool, names: dict[str, float]) -> Callable[[str], float]:
+        if angle:
             return lambda text: read_angle(text, self.angles)
         return lambda text: read_length(text, names)
 
@@ -181,10 +200,21 @@ class DHTable:
 
     # ---- edits: each gives a new table, and refuses what makes no table at all ----
 
-    def with_cell(self, row: int, column: str, text: str) -> DHTable:
-        """The text of a cell changed, to anything."""
+    def with_cell(self, row: int | str, column: str, text: str) -> DHTable:
+        """The text of a cell changed, to anything.
+
+        "base" or "tool" for a row types into that frame; its columns are x, y, z, roll, pitch,
+        yaw, or those of a DH row.
+        """
+        if isinstance(row, str):
+            return self._with_end_cell(row, column, text)
         inputs.choice("column", column, COLUMNS)
         return self._with(row, **{column: line(text)})
+
+    def _with_end_cell(self, end: str, column: str, text: str) -> DHTable:
+        frame = self._end(end) or End.empty(ROW if column in FORMS[ROW] else POSE)
+        inputs.choice("column", column, frame.columns)
+        return self.with_frame(end, frame.with_cells({column: line(text)}, self.angles))
 
     def with_kind(self, row: int, kind: str) -> DHTable:
         """The joint's type changed. Its limits and home, in another unit now, are emptied."""
@@ -222,10 +252,31 @@ class DHTable:
         at = _position("length", k, len(self.lengths))
         return replace(self, lengths=self.lengths[:at - 1] + self.lengths[at:])
 
+    def with_end(self, end: str, form: str = POSE) -> DHTable:
+        """The base or the tool frame to be typed: as a 'pose' (x, y, z and the turns roll, pitch,
+        yaw about the fixed axes x, y, z), or as one DH 'row'. A frame that is there stays.
+        """
+        frame, T = self._end(end), self.end(end)
+        inputs.choice("form", form, tuple(FORMS))
+        if T is None:
+            raise ValueError(f"{end}: expected cells that can be read; correct the marked ones "
+                             "first")
+        if frame is None:
+            return self.with_frame(end, End.empty(form))
+        return self if frame.form == form else self.with_frame(
+            end, frame.in_form(form, T, self.angles, self.convention))
+
     def without_end(self, end: str) -> DHTable:
         """The base or the tool frame left out."""
-        inputs.choice("end", end, ("base", "tool"))
-        return replace(self, base=None) if end == "base" else replace(self, tool=None)
+        return self.with_frame(end, None)
+
+    def with_frame(self, end: str, frame: End | None) -> DHTable:
+        """Another frame at one end; None for one that changes nothing."""
+        inputs.choice("end", end, ENDS)
+        return replace(self, base=frame) if end == "base" else replace(self, tool=frame)
+
+    def _end(self, end: str) -> End | None:
+        return getattr(self, inputs.choice("end", end, ENDS))
 
     def read_as(self, convention: str) -> DHTable:
         """The same numbers read in the other convention: in general another arm."""
@@ -244,14 +295,13 @@ class DHTable:
         rows = tuple(row.with_cells({column: self._moved_text(i + shift, column, link)
                                      for column in ("a", "alpha")})
                      for i, (row, link) in enumerate(zip(self.rows, arm.links), start=1))
-        return replace(self, rows=rows, convention=convention, base=matrix(arm.base),
-                       tool=matrix(arm.tool))
+        return replace(self, rows=rows, convention=convention,
+                       base=self._moved_end("base", arm), tool=self._moved_end("tool", arm))
 
     def in_angles(self, unit: str) -> DHTable:
         """The same table with its plain angles in degrees or radians."""
         inputs.choice("angles", unit, tuple(ANGLES))
-        return self._rewritten(lambda row, column: row.is_angle(column),
-                               lambda text: angle_in(text, self.angles, unit), angles=unit)
+        return self._rewritten(True, lambda text: angle_in(text, self.angles, unit), angles=unit)
 
     def in_unit(self, unit: str) -> DHTable:
         """The same arm with its lengths in another unit: mm, cm, m or in."""
@@ -263,10 +313,11 @@ class DHTable:
         there = replace(self, lengths=lengths, unit=new)
         names, new_names = self._names({}, {}), there._names({}, {})
         factor = float(MILLIMETRES[old] / MILLIMETRES[new])
-        return self._rewritten(lambda row, column: not row.is_angle(column),
-                               lambda text: length_in(text, old, new, names, new_names),
-                               lengths=lengths, unit=new, base=_scaled(self.base, factor),
-                               tool=_scaled(self.tool, factor))
+        scaled = self
+        for end, frame in self._ends():
+            scaled = scaled.with_frame(end, frame.scaled(factor))
+        return scaled._rewritten(False, lambda text: length_in(text, old, new, names, new_names),
+                                 lengths=lengths, unit=new)
 
     def _with(self, row: int, **changes: Any) -> DHTable:
         changed = replace(self._row(row), **changes)
@@ -282,16 +333,24 @@ class DHTable:
             return getattr(self.rows[row - 1], column)
         return angle_text(value, self.angles) if column == "alpha" else number_text(value)
 
-    def _rewritten(self, which: Callable, rewrite: Callable, **changes: Any) -> DHTable:
-        rows = (row.with_cells({column: rewrite(getattr(row, column)) for column in COLUMNS
-                                if which(row, column) and getattr(row, column)})
-                for row in self.rows)
-        return replace(self, rows=tuple(rows), **changes)
+    def _moved_end(self, end: str, arm: Arm) -> End | None:
+        """An end of the arm in the other convention: as it was typed, where it is the same."""
+        frame, T = self._end(end), getattr(arm, end)
+        same = np.allclose(getattr(self.arm, end), T, rtol=0, atol=1e-15)
+        return frame if same and frame is not None and frame.form == POSE else End.of(T)
 
-
-def matrix(T: np.ndarray) -> Matrix | None:
-    """A base or tool frame as plain numbers; None where it changes nothing."""
-    return None if np.array_equal(T, np.eye(4)) else tuple(map(tuple, T.tolist()))
+    def _rewritten(self, turns: bool, rewrite: Callable[[str], str], **changes: Any) -> DHTable:
+        """The table with all its angles, or all its lengths, written anew."""
+        rows = tuple(row.with_cells({column: rewrite(getattr(row, column)) for column in COLUMNS
+                                     if row.is_angle(column) == turns and getattr(row, column)})
+                     for row in self.rows)
+        table = replace(self, rows=rows)
+        for end, frame in self._ends():
+            texts = {column: rewrite(text) for column, text in frame.cells(self.angles).items()
+                     if (column in TURNS) == turns}
+            table = table.with_frame(end, frame.with_cells(texts, self.angles)
+                                     if frame.texts else frame)
+        return replace(table, **changes)
 
 
 def _row(link: Link, home: float, angles: str) -> Row:
@@ -326,11 +385,3 @@ def _position(name: str, value: Any, last: int) -> int:
     if isinstance(value, bool) or not isinstance(value, int) or not 1 <= value <= last:
         raise ValueError(f"{name}: expected a number from 1 to {last}, got {inputs.brief(value)}")
     return value
-
-
-def _scaled(T: Matrix | None, factor: float) -> Matrix | None:
-    if T is None:
-        return None
-    scaled = np.array(T)
-    scaled[:3, 3] *= factor
-    return matrix(scaled)

@@ -9,13 +9,14 @@ from ..arms import printed
 from ..arms.arm import CONVENTIONS, Arm
 from ..tables.as_csv import to_csv
 from ..tables.cells import MILLIMETRES, angle_text, is_plain
+from ..tables.ends import ENDS
 from ..tables.other_convention import OtherReading, frame_text
 from ..tables.table import COLUMNS, DHTable, Place, Row
 
 
 def state(table: DHTable) -> dict:
-    ends = {end: frame_text(np.array(T), table.unit) if T else ""
-            for end, T in (("base", table.base), ("tool", table.tool))}
+    ends = {end: frame_text(T, table.unit) if (T := table.end(end)) is not None else ""
+            for end in ENDS}
     units = [table.unit] if table.unit not in MILLIMETRES else list(
         dict.fromkeys(["mm", "m", table.unit]))
     return {
