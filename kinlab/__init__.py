@@ -24,6 +24,8 @@ _NAMES = {
     "tables.numbers": ("parse_number",),
     "arms.euler": ("RPYAngles", "ZYZAngles", "rpy_angles", "rpy_matrix", "zyz_angles",
                    "zyz_matrix"),
+    "arms.quaternions": ("AxisAngle", "Quaternion", "axis_angle", "quaternion",
+                         "quaternion_matrix", "rotation_about"),
     "views.arm_view": ("ArmView",),
     "views.target_view": ("TargetView",),
     "views.studies": ("solve_view", "velocity_view"),

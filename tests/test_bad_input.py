@@ -49,6 +49,9 @@ NUMBERS = {
     "kl.prismatic alpha": lambda x: kl.prismatic(alpha=x),
     "kl.Link theta": lambda x: kl.Link("revolute", theta=x),
     "kl.ZYZAngles phi": FLAT.member,
+    "kl.axis_angle R": kl.axis_angle,
+    "kl.quaternion R": kl.quaternion,
+    "kl.AxisAngle axis": kl.axis_angle(np.eye(3)).member,
     "kl.RPYAngles yaw": kl.rpy_angles(kl.rotation_y(np.pi / 2)).member,
     "kl.forward_kinematics q": lambda x: kl.forward_kinematics(ARM, x),
     "kl.link_frames q": lambda x: kl.link_frames(ARM, x),
@@ -81,6 +84,9 @@ SYMBOLS_TOO = {
     "kl.zyz_matrix phi": lambda x: kl.zyz_matrix(x, 0, 0),
     "kl.zyz_matrix theta": lambda x: kl.zyz_matrix(0, x, 0),
     "kl.zyz_matrix psi": lambda x: kl.zyz_matrix(0, 0, x),
+    "kl.rotation_about axis": lambda x: kl.rotation_about(x, 1),
+    "kl.rotation_about angle": lambda x: kl.rotation_about([0, 0, 1], x),
+    "kl.quaternion_matrix q": kl.quaternion_matrix,
     "kl.rpy_matrix roll": lambda x: kl.rpy_matrix(x, 0, 0),
     "kl.rpy_matrix pitch": lambda x: kl.rpy_matrix(0, x, 0),
     "kl.rpy_matrix yaw": lambda x: kl.rpy_matrix(0, 0, x),
@@ -193,12 +199,14 @@ def is_finite(result):
         return all(map(is_finite, (result.base, result.tool, result.home)))
     if isinstance(result, kl.Link):
         return all(map(np.isfinite, (result.theta, result.d, result.a, result.alpha)))
+    if isinstance(result, kl.Quaternion):
+        return np.isfinite(result.array).all()
     if isinstance(result, kl.ClosedForm):
         return not result.matrix.has(sp.nan, sp.oo, sp.zoo)
     if isinstance(result, kl.InverseResult | kl.InverseBatch):
         return all(map(np.all, map(np.isfinite, (result.q, result.position_error))))
-    if isinstance(result, kl.ZYZAngles | kl.RPYAngles | tuple):
-        return np.isfinite(tuple(result)).all()
+    if isinstance(result, kl.ZYZAngles | kl.RPYAngles | kl.AxisAngle | tuple):
+        return all(np.isfinite(part).all() for part in result)
     return not any(entry != entry or entry in (sp.oo, -sp.oo, sp.zoo) for entry in result.flat)
 
 
@@ -298,7 +306,7 @@ def test_anything_is_computed_or_refused_in_one_sentence(call, value):
 
 def test_every_public_function_is_listed_here():
     elsewhere = {"ArmView", "ClosedForm", "DHTableEditor", "InverseBatch", "InverseResult",
-                 "TargetView", "Workspace", "examine_frames", "exercises", "lessons",
+                 "Quaternion", "TargetView", "Workspace", "examine_frames", "exercises", "lessons",
                  "parse_number", "robots", "same_mechanism", "solve_view", "velocity_view"}
     listed = {call.split()[0].removeprefix("kl.") for call in EVERY}
     assert set(kl.__all__) - elsewhere <= listed
@@ -361,7 +369,8 @@ def test_what_a_rigid_matrix_lacks_is_named():
 
 
 @pytest.mark.parametrize("call", ["kl.inverse T", "kl.apply T", "kl.compose transforms",
-                                  "kl.homogeneous R", "kl.zyz_angles R", "kl.rpy_angles R"])
+                                  "kl.homogeneous R", "kl.zyz_angles R", "kl.rpy_angles R",
+                                  "kl.axis_angle R", "kl.quaternion R"])
 def test_matrices_that_are_not_rigid_are_refused(call):
     for n in (2, 3, 4, 5):
         for matrix in (2 * np.eye(n), np.zeros((n, n)), np.ones((n, n)), np.diag([1.0] * (n - 1) +
@@ -380,6 +389,15 @@ def test_matrices_that_are_not_rigid_are_refused(call):
     ("phi, theta, psi", lambda: kl.zyz_matrix([1, 2], [1, 2, 3], 0)),
     ("yaw, pitch, roll", lambda: kl.rpy_matrix([1, 2], [1, 2, 3], 0)),
     ("R", lambda: kl.rpy_angles(np.eye(2))),
+    ("R", lambda: kl.axis_angle(np.eye(2))),
+    ("R", lambda: kl.quaternion(np.eye(2))),
+    ("axis, angle", lambda: kl.rotation_about(np.ones((2, 3)), [1, 2, 3])),
+    ("axis", lambda: kl.rotation_about([0, 1], 1)),
+    ("axis", lambda: kl.rotation_about([0, 0, 0], 1)),
+    ("axis", lambda: kl.rotation_about([[0, 0, 1], [0, 0, 0]], 1)),
+    ("axis", lambda: kl.axis_angle(np.eye(3)).member([0, 0, 0])),
+    ("q", lambda: kl.quaternion_matrix([1, 0, 0])),
+    ("q", lambda: kl.quaternion_matrix([1, 1, 0, 0])),
     ("R", lambda: kl.zyz_angles(np.eye(2))),
 ])
 def test_arguments_that_do_not_fit_together(names, compute):

@@ -290,10 +290,7 @@ Angles = TypeVar("Angles", bound=EulerAngles)
 
 
 def _solved(kind: type[Angles], R: Any, axes: tuple[int, int, int], **also: str) -> Angles:
-    R, error = inputs.rotation_and_error("R", R)
-    if R.shape[-1] != 3:
-        raise ValueError(f"R: expected shape (..., 3, 3), got {R.shape}; "
-                         "a planar rotation has one angle, atan2(r21, r11)")
+    R, error = inputs.spatial_rotation_and_error("R", R)
     M, quarter = _as_zyz(R, axes)
     tilt = np.hypot(M[0, 2], M[1, 2])
     # Each of the two entries may be off by R's own error, so a tilt of sqrt(2) times this may be

@@ -124,6 +124,15 @@ def rotation_and_error(name: str, value: Any) -> tuple[np.ndarray, np.ndarray]:
     return matrix, np.maximum(gap, RIGID_TOLERANCE)
 
 
+def spatial_rotation_and_error(name: str, value: Any) -> tuple[np.ndarray, np.ndarray]:
+    """Proper rotations (..., 3, 3), and how far off the entries of each may be, shape (...)."""
+    matrix, error = rotation_and_error(name, value)
+    if matrix.shape[-1] != 3:
+        raise ValueError(f"{name}: expected shape (..., 3, 3), got {matrix.shape}; "
+                         "a planar rotation has one angle, atan2(r21, r11)")
+    return matrix, error
+
+
 def rounding(n: int) -> float:
     """The most by which printed unit vectors of n numbers, u + e, miss u.u = 1 and u.v = 0.
 
@@ -195,6 +204,12 @@ def components(name: str, value: Any, expected: str) -> np.ndarray:
         raise ValueError(f"{name}: expected {expected}, got {brief(value)}; "
                          "mix only symbols and finite numbers")
     return array
+
+
+def angle(name: str, value: Any) -> Any:
+    """An angle in radians: a plain number (so that quarter turns are exact), a batch, a symbol."""
+    array = components(name, value, "an angle in radians")
+    return array[()].item() if array.ndim == 0 and array.dtype != object else array[()]
 
 
 def has_symbols(array: np.ndarray) -> bool:

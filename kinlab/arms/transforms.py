@@ -35,7 +35,7 @@ def rotation_2d(theta: Any) -> np.ndarray:
     >>> rotation_2d(np.pi / 2) @ [1, 0]
     array([0., 1.])
     """
-    c, s = cos_sin(_angle("theta", theta))
+    c, s = cos_sin(inputs.angle("theta", theta))
     return stack([[c, -s], [s, c]])
 
 
@@ -195,12 +195,7 @@ def compose(*transforms: Any) -> np.ndarray:
 
 
 def _turn(axis: int, angle: Any) -> np.ndarray:
-    return matrix(Frame().rotated(axis, _angle("angle", angle)))[..., :3, :3]
-
-
-def _angle(name: str, value: Any) -> Any:
-    angle = inputs.components(name, value, "an angle in radians")
-    return angle[()].item() if angle.ndim == 0 and angle.dtype != object else angle[()]
+    return matrix(Frame().rotated(axis, inputs.angle("angle", angle)))[..., :3, :3]
 
 
 def _parts(name: str, T: Any) -> tuple[np.ndarray, np.ndarray]:
