@@ -10,8 +10,7 @@ from typing import Any, ClassVar, TypeVar
 import numpy as np
 
 from . import inputs
-from .motions import X, Y, Z, keep_whole
-from .transforms import rotation_x, rotation_y, rotation_z
+from .motions import X, Y, Z, keep_whole, rotation
 
 _ZYZ = (Z, Y, Z)
 _ORDERS = {"zyx": (Z, Y, X), "xyz": (X, Y, Z), "yxz": (Y, X, Z),
@@ -144,7 +143,7 @@ def zyz_angles(R: Any) -> ZYZAngles:
     Raises
     ------
     ValueError
-        If `R` is no rotation matrix.
+        If `R` is no rotation, not even one rounded to 3 decimals.
 
     Notes
     -----
@@ -205,7 +204,7 @@ def rpy_angles(R: Any, order: str = "zyx") -> RPYAngles:
     Raises
     ------
     ValueError
-        If `R` is no rotation matrix, or the order is unknown.
+        If `R` is no rotation, not even one rounded to 3 decimals, or the order is unknown.
 
     Notes
     -----
@@ -217,7 +216,7 @@ def rpy_angles(R: Any, order: str = "zyx") -> RPYAngles:
     >>> rpy_angles(rpy_matrix(0.1, 0.2, 0.3))
     (roll, pitch, yaw), order zyx: (5.7296, 11.4592, 17.1887) or (-174.2704, 168.5408, -162.8113)
     degrees
-    >>> rpy_angles(rotation_y(np.pi / 2))
+    >>> rpy_angles(rpy_matrix(0, np.pi / 2, 0))
     (roll, pitch, yaw), order zyx: pitch = 90 degrees: any yaw and roll with yaw - roll = 0.0000
     degrees
     """
@@ -278,12 +277,9 @@ def _axes(order: Any) -> tuple[int, int, int]:
 
 def _product(axes: tuple[int, int, int], **angles: Any) -> np.ndarray:
     """The product of three turns about moving axes."""
-    values = [inputs.components(name, angle, "an angle in radians")
-              for name, angle in angles.items()]
-    inputs.fit_together(", ".join(angles), *(value.shape for value in values))
-    turns = [(rotation_x, rotation_y, rotation_z)[axis](value)
-             for axis, value in zip(axes, values)]
-    return reduce(np.matmul, keep_whole(*turns))
+    values = [inputs.angle(name, angle) for name, angle in angles.items()]
+    inputs.fit_together(", ".join(angles), *map(np.shape, values))
+    return reduce(np.matmul, keep_whole(*map(rotation, axes, values)))
 
 
 Angles = TypeVar("Angles", bound=EulerAngles)

@@ -18,6 +18,8 @@ PRINTED = 0.5e-3
 LARGEST = 1e100
 MOST = 10**9
 _PACKAGE = __name__.split(".")[0]
+_NOT_SPATIAL = {(2, 2): "a planar rotation has one angle, atan2(r21, r11)",
+                (4, 4): "take T[:3, :3], the rotation of a pose T"}
 
 
 class Note(UserWarning):
@@ -126,11 +128,11 @@ def rotation_and_error(name: str, value: Any) -> tuple[np.ndarray, np.ndarray]:
 
 def spatial_rotation_and_error(name: str, value: Any) -> tuple[np.ndarray, np.ndarray]:
     """Proper rotations (..., 3, 3), and how far off the entries of each may be, shape (...)."""
-    matrix, error = rotation_and_error(name, value)
-    if matrix.shape[-1] != 3:
-        raise ValueError(f"{name}: expected shape (..., 3, 3), got {matrix.shape}; "
-                         "a planar rotation has one angle, atan2(r21, r11)")
-    return matrix, error
+    matrix = real_array(name, value, "a rotation matrix")
+    if matrix.shape[-2:] != (3, 3):
+        raise ValueError(f"{name}: expected a rotation of shape (..., 3, 3), got {matrix.shape}; "
+                         + _NOT_SPATIAL.get(matrix.shape[-2:], "give three rows of three numbers"))
+    return rotation_and_error(name, matrix)
 
 
 def rounding(n: int) -> float:
@@ -156,7 +158,8 @@ def _nearest_rotation(matrix: np.ndarray) -> np.ndarray:
 
 def rigid(name: str, value: Any) -> np.ndarray:
     """A rigid 4x4 homogeneous matrix: a rotation, an origin and the row 0 0 0 1."""
-    return rigids(name, shaped(name, value, (4, 4), "a 4x4 homogeneous matrix"))
+    return rigids(name, shaped(name, value, (4, 4),
+                               "a 4x4 homogeneous matrix, as homogeneous(R, o) makes it"))
 
 
 def rigids(name: str, matrices: np.ndarray) -> np.ndarray:
@@ -165,7 +168,7 @@ def rigids(name: str, matrices: np.ndarray) -> np.ndarray:
     off = np.any(np.abs(matrices[..., 3, :] - [0, 0, 0, 1]) > RIGID_TOLERANCE, axis=-1)
     if np.any(off):
         raise ValueError(f"{name}: expected the last row 0 0 0 1, "
-                         f"got {matrices[off][0, 3].tolist()}")
+                         f"got {matrices[off][0, 3].tolist()}; the origin is the last column")
     matrices = matrices.copy()
     matrices[..., :3, :3] = R
     return matrices

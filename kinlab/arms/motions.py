@@ -165,6 +165,11 @@ def matrix(frame: Frame) -> np.ndarray:
     return stack([*zip(*columns), (0, 0, 0, 1)])
 
 
+def rotation(axis: int, angle: Any) -> np.ndarray:
+    """The rotation matrix (..., 3, 3) about one of the three axes."""
+    return matrix(Frame().rotated(axis, angle))[..., :3, :3]
+
+
 def keep_whole(*arrays: np.ndarray) -> tuple[np.ndarray, ...]:
     """The arrays; beside symbols 1.0 becomes 1: nobody wants to read 1.0*cos(theta)."""
     if all(array.dtype != object for array in arrays):

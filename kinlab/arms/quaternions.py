@@ -127,7 +127,7 @@ def axis_angle(R: Any) -> AxisAngle:
     Raises
     ------
     ValueError
-        If `R` is no rotation matrix.
+        If `R` is no rotation, not even one rounded to 3 decimals.
 
     Notes
     -----
@@ -190,7 +190,8 @@ def rotation_about(axis: Any, angle: Any) -> np.ndarray:
     """
     axis = inputs.components("axis", axis, "an axis of three numbers")
     if axis.shape[-1:] != (3,):
-        raise ValueError(f"axis: expected shape (..., 3), got {axis.shape}")
+        raise ValueError(f"axis: expected three numbers, shape (..., 3), got {axis.shape}; "
+                         "give the axis first, then the angle")
     unit = _unit_axis(axis)
     angle = inputs.angle("angle", angle)
     inputs.fit_together("axis, angle", axis.shape[:-1], np.shape(angle))
@@ -214,7 +215,7 @@ def quaternion(R: Any) -> Quaternion:
     Raises
     ------
     ValueError
-        If `R` is no rotation matrix.
+        If `R` is no rotation, not even one rounded to 3 decimals.
 
     Notes
     -----
@@ -275,12 +276,14 @@ def _unit_axis(axis: np.ndarray) -> np.ndarray:
 
 
 def _unit_quaternion(q: np.ndarray) -> np.ndarray:
-    off = np.abs((q**2).sum(axis=-1) - 1).max(initial=0.0)
-    if off > inputs.rounding(4):
-        raise ValueError("q: expected a unit quaternion (w, x, y, z), got one whose squares add up "
-                         f"to 1 only within {off:.2g}; divide it by its length")
-    if off > inputs.RIGID_TOLERANCE:
-        inputs.note(f"q: taken at length 1; its numbers are rounded, off by {off:.2g}")
+    length = np.hypot.reduce(q, axis=-1)
+    off = np.abs(length**2 - 1)
+    if np.any(off > inputs.rounding(4)):
+        raise ValueError("q: expected a unit quaternion (w, x, y, z), got one of length "
+                         f"{length.flat[off.argmax()]:.4g}; give numbers whose squares add up to "
+                         "1, with at least 3 decimals")
+    if np.any(off > inputs.RIGID_TOLERANCE):
+        inputs.note(f"q: taken at length 1; its numbers are rounded, off by {off.max():.2g}")
     return _direction(q)
 
 

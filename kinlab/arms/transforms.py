@@ -3,6 +3,7 @@
 `T_ab` is the pose of frame b in frame a. It takes the coordinates of a point in b to its
 coordinates in a: ``p_a = apply(T_ab, p_b)``, and poses chain: ``T_ac = T_ab @ T_bc``. Leading
 axes broadcast. Symbols give arrays of sympy expressions; ``sympy.Matrix(T)`` typesets them.
+Rotations that were rounded, to 3 decimals or more, are taken as the nearest ones, with a word.
 """
 from __future__ import annotations
 
@@ -12,7 +13,7 @@ from typing import Any
 import numpy as np
 
 from . import inputs
-from .motions import Frame, X, Y, Z, cos_sin, keep_whole, matrix, stack
+from .motions import X, Y, Z, cos_sin, keep_whole, rotation, stack
 
 __all__ = ["apply", "compose", "homogeneous", "inverse", "rotation_2d", "rotation_x",
            "rotation_y", "rotation_z", "translation"]
@@ -41,12 +42,12 @@ def rotation_2d(theta: Any) -> np.ndarray:
 
 def rotation_x(angle: Any) -> np.ndarray:
     """Rotation about x by `angle` radians, shape (..., 3, 3)."""
-    return _turn(X, angle)
+    return rotation(X, inputs.angle("angle", angle))
 
 
 def rotation_y(angle: Any) -> np.ndarray:
     """Rotation about y by `angle` radians, shape (..., 3, 3)."""
-    return _turn(Y, angle)
+    return rotation(Y, inputs.angle("angle", angle))
 
 
 def rotation_z(angle: Any) -> np.ndarray:
@@ -62,7 +63,7 @@ def rotation_z(angle: Any) -> np.ndarray:
     >>> sp.Matrix(rotation_z(sp.Symbol("theta")))[0, 1]
     -sin(theta)
     """
-    return _turn(Z, angle)
+    return rotation(Z, inputs.angle("angle", angle))
 
 
 def homogeneous(R: Any, o: Any) -> np.ndarray:
@@ -192,10 +193,6 @@ def compose(*transforms: Any) -> np.ndarray:
         raise ValueError("transforms: expected all planar (3x3) or all spatial (4x4), got both")
     inputs.fit_together("transforms", *(T.shape[:-2] for T in matrices))
     return reduce(np.matmul, keep_whole(*matrices))
-
-
-def _turn(axis: int, angle: Any) -> np.ndarray:
-    return matrix(Frame().rotated(axis, inputs.angle("angle", angle)))[..., :3, :3]
 
 
 def _parts(name: str, T: Any) -> tuple[np.ndarray, np.ndarray]:

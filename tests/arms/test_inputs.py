@@ -179,3 +179,14 @@ def test_exact_numbers_stay_exact():
     half = sp.sqrt(3) / 2
     T = kl.homogeneous([[half, -sp.Rational(1, 2)], [sp.Rational(1, 2), half]], [0, 0])
     assert T[0, 0] == half
+
+
+@pytest.mark.parametrize("solve", [kl.zyz_angles, kl.rpy_angles, kl.axis_angle, kl.quaternion])
+@pytest.mark.parametrize("given, help", [
+    (np.eye(4), r"\(4, 4\); take T\[:3, :3\], the rotation of a pose T"),
+    (np.eye(2), r"\(2, 2\); a planar rotation has one angle, atan2\(r21, r11\)"),
+    ([0.1, 0.2, 0.3], r"\(3,\); give three rows of three numbers"),
+    ([[1, 0, 0], [0, 1, 0]], r"\(2, 3\); give three rows of three numbers")])
+def test_what_is_no_rotation_in_space_is_told_what_to_give(solve, given, help):
+    with pytest.raises(ValueError, match=rf"^R: expected a rotation of shape .*, got {help}$"):
+        solve(given)

@@ -170,7 +170,7 @@ def test_a_rounded_quaternion_is_taken_at_length_1():
     with pytest.warns(Note, match=r"^q: taken at length 1; its numbers are rounded, off by 0.0003"):
         R = kl.quaternion_matrix([0.707, 0, 0, 0.707])
     close(R, [[0, -1, 0], [1, 0, 0], [0, 0, 1]], atol=1e-15)
-    with pytest.raises(ValueError, match=r"^q: expected a unit .* within 1; divide it by its len"):
+    with pytest.raises(ValueError, match=r"^q: expected a unit .* of length 1.414; give num"):
         kl.quaternion_matrix([1, 0, 0, 1])
 
 
