@@ -41,8 +41,21 @@ def plain_angle(angle: float) -> Fraction | None:
 
 def looks_rounded(angle: float) -> bool:
     """True for an angle that stands for a multiple of 15° and is not one."""
+    return bool(meant(angle))
+
+
+def meant(angle: float) -> str:
+    """What a rounded angle was meant to be, as it is typed; nothing for any other.
+
+    Examples
+    --------
+    >>> meant(-1.5708), meant(-math.pi / 2), meant(1.5)
+    ('-pi/2', '', '')
+    """
     multiple = plain_angle(angle)
-    return multiple is not None and abs(angle - multiple * math.pi) > PRECISE
+    if multiple is None or abs(angle - multiple * math.pi) <= PRECISE:
+        return ""
+    return pi_text(multiple)
 
 
 def pi_text(multiple: Fraction) -> str:

@@ -7,6 +7,7 @@ from xml.etree import ElementTree
 
 _SPACE = "http://www.w3.org/1998/Math/MathML"
 _INDEXED = (f"{{{_SPACE}}}msub", f"{{{_SPACE}}}msubsup")
+_TURNING = ("C", "S", "θ")  # what turns with the joints in its index
 ElementTree.register_namespace("", _SPACE)
 # Space about sin and cos, and none between a sign and what it belongs to.
 _OPERAND, _FUNCTION = r"(</(?:mi|mn|msub|msup|msubsup|mrow)>)", "((?:<msup>)?<mi>(?:sin|cos)</mi>)"
@@ -57,11 +58,10 @@ def named(latex: str, joints: int, slides: Collection[int] = ()) -> str:
     for symbol in (part for part in math.iter() if part.tag in _INDEXED):
         letter, index, *_ = ("".join(part.itertext()) for part in symbol)
         numbers = re.findall(r"\d+" if joints > 9 else r"\d", index)
-        angle = letter in ("C", "S", "θ")
-        if angle or (letter == "d" and {*map(int, numbers)} <= {*slides}):
+        if letter in _TURNING or (letter == "d" and {*map(int, numbers)} <= {*slides}):
             symbol.set("data-factor", letter + index)
             symbol.set("data-joints", " ".join(numbers))
-        symbol.set("class", "kl-of-angle" if angle else "kl-of-length")
+        symbol.set("class", "kl-of-angle" if letter in (*_TURNING, "α") else "kl-of-length")
     for i, row in enumerate(math.iter(f"{{{_SPACE}}}mtr"), start=1):
         row.set("data-row", str(i))
         for j, entry in enumerate(row, start=1):

@@ -33,6 +33,17 @@ def test_closed_form_of_random_arms(arm):
     close(symbolic(arm, q), kl.jacobian(arm, q), atol=1e-9)
 
 
+def test_six_odd_twists_stay_in_factors():
+    """Multiplied out, an entry would have some two hundred products."""
+    arm = kl.Arm([kl.revolute(d=0.1, a=0.1, alpha=np.radians(40)) for _ in range(6)])
+    form, q = kl.jacobian_form(arm), q_of(arm)
+    value = sp.lambdify(form.joints, form.matrix.tolist(), "math", cse=True)
+    close(np.array(value(*q)), kl.jacobian(arm, q), atol=1e-9)
+    assert len(form.entries[0][5]) < 8_000
+    three = kl.jacobian_form(kl.Arm(arm.links[:3]))
+    assert not any(entry.is_Mul and entry.has(sp.Add) for entry in three.matrix)
+
+
 def test_closed_form_of_the_alpha_ii_as_a_textbook_writes_it():
     form = kl.jacobian_form(kl.robots.alpha_ii(), lengths="symbols")
     assert form.matrix.shape == (6, 5)

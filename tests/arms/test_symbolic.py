@@ -1,6 +1,7 @@
 """Closed forms: the lectures' own matrices as text, and every form equal to the numbers."""
 import math
 import re
+from dataclasses import replace
 from math import pi, radians
 
 import numpy as np
@@ -13,6 +14,7 @@ from strategies import arms, exact_angles, poses, right_angles, typed_lengths
 
 import kinlab as kl
 from kinlab.arms import notation
+from kinlab.arms.rounded import looks_rounded, plain_angle
 from kinlab.arms.symbolic import exact_angle, exact_length
 
 close = np.testing.assert_allclose
@@ -78,6 +80,15 @@ def plain(latex):
     latex = re.sub(r"\s*([()])\s*", lambda m: m.group().strip() if m.group(1) == ")" and
                    not m.group().endswith(" ") else m.group(), latex)
     return re.sub(r"(?<=[\w)]) +(?=[\w(])", "*", latex)
+
+
+def meant(arm):
+    """The arm with the angles that its rounded ones stand for; itself if there are none."""
+    def angle(value):
+        return float(plain_angle(value) * pi) if looks_rounded(value) else value
+
+    links = [replace(link, theta=angle(link.theta), alpha=angle(link.alpha)) for link in arm.links]
+    return arm if links == [*arm.links] else replace(arm, links=links)
 
 
 def joint_array(arm, seed=0):
@@ -218,8 +229,9 @@ def test_random_arms_equal_their_numbers_and_read_so(arm, seed):
 @given(arms(most=3))
 @settings(max_examples=20)
 def test_any_angle_equals_its_number(arm):
-    q = joint_array(arm)
-    close(numbers(kl.closed_form(arm), q), textbook.frames(arm, q)[-1], atol=1e-9)
+    form, q = kl.closed_form(arm), joint_array(arm)
+    close(numbers(form, q), textbook.frames(meant(arm), q)[-1], atol=1e-9)
+    assert form.remark or meant(arm) is arm
 
 
 @given(exact_arms, st.data())
@@ -316,7 +328,99 @@ def test_multiples_of_fifteen_degrees_are_exact(k):
     angle = radians(15 * k)
     for near in (angle, angle + 9e-13, angle - 9e-13):
         assert exact_angle(near) == k * sp.pi / 12
-    assert exact_angle(angle + 1e-11) == sp.Float(angle + 1e-11)
+    assert exact_angle(angle + 4e-7) == k * sp.pi / 12
+    assert exact_angle(angle + 1e-5) == sp.Float(angle + 1e-5)
+
+
+@pytest.mark.parametrize("typed, turn", [
+    (1.570796327, pi / 2), (1.5708, pi / 2), (1.57, pi / 2), (1.571, pi / 2),
+    (-0.7854, -pi / 4), (2.0944, 2 * pi / 3), (3.1416, pi), (90 * 3.14159 / 180, pi / 2)])
+def test_an_angle_that_looks_rounded_is_written_as_what_was_meant(typed, turn):
+    def arm(angle):
+        return kl.Arm([kl.revolute(d=0.1, alpha=angle), kl.revolute(a=0.4, theta=-angle),
+                       kl.prismatic(theta=angle, alpha=-angle)])
+
+    form, exact = kl.closed_form(arm(typed)), kl.closed_form(arm(turn))
+    assert form.text == exact.text and form.latex == exact.latex
+    assert form.matrix == exact.matrix and not form.matrix.atoms(sp.Float)
+    assert form.remark.startswith(f"alpha1 = {typed:.10g}, offset2 = {-typed:.10g}, theta3 = ")
+    assert exact.remark == ""
+    jacobian = kl.jacobian_form(arm(typed))
+    assert jacobian.text == kl.jacobian_form(arm(turn)).text
+    assert jacobian.remark == form.remark
+    T = kl.forward_kinematics(arm(typed), [0.1, 0.2, 0.3])  # the numbers stay as they were typed
+    close(T, textbook.frames(arm(typed), [0.1, 0.2, 0.3])[-1], atol=1e-15)
+
+
+def test_the_remark_stands_beside_the_form():
+    form = kl.closed_form(kl.Arm([kl.revolute(alpha=1.5708)]))
+    assert form.entries[1] == ("S1", "0", "-C1", "0")
+    assert form.remark == "alpha1 = 1.5708 looks rounded: it is taken as pi/2."
+    assert repr(form).splitlines() == [*form.text.splitlines(), form.remark]
+    assert form._repr_latex_() == f"$\\displaystyle {form.latex}$\n\n{form.remark}"
+    two = kl.closed_form(kl.Arm([kl.revolute(alpha=1.5708), kl.revolute(alpha=-2.0944)],
+                                convention="modified"))
+    assert two.remark == ("alpha0 = 1.5708 and alpha1 = -2.0944 look rounded: "
+                          "they are taken as pi/2, -2*pi/3.")
+    assert kl.closed_form(two_rows(alpha=1.5708), 1, 2).remark == ""  # not in this stretch
+    turned = kl.Arm([kl.revolute()], base=textbook.rigid(textbook.turn((1, 0, 0), 1.5708)))
+    assert kl.closed_form(turned).remark == "rxB = 1.5708 looks rounded: it is taken as pi/2."
+
+
+def two_rows(**first):
+    return kl.Arm([kl.revolute(**first), kl.revolute(a=1)])
+
+
+@pytest.mark.parametrize("row, entry, want", [
+    (dict(alpha=pi / 6), (0, 1), "-sqrt(3)/2*S1"),
+    (dict(alpha=1.5709), (0, 1), "0.000103673204918*S1"),
+    (dict(alpha=1.5709), (1, 2), "-0.999999994626*C1"),
+    (dict(alpha=1.57079695), (0, 1), "0.000000623205103461*S1"),
+    (dict(alpha=1.57079695), (1, 2), "-C1"),  # no 1*: the first twelve digits are those of 1
+    (dict(alpha=0.698), (2, 2), "0.766129092116"),
+    (dict(theta=1 / 3), (0, 0), "cos(theta_1 + 0.333333333333)"),
+    (dict(theta=1e-5), (0, 0), "cos(theta_1 + 0.00001)"),
+    (dict(theta=-1.0), (0, 0), "cos(theta_1 - 1)"),
+    (dict(theta=pi / 6), (0, 0), "cos(theta_1 + pi/6)"),
+    (dict(d=1e-7), (2, 3), "0.0000001"),
+    (dict(d=1e20), (2, 3), "100000000000000000000"),
+    (dict(a=123456.789012345), (0, 3), "123456.789012*C1")])
+def test_numbers_are_written_as_people_do(row, entry, want):
+    assert kl.closed_form(kl.Arm([kl.revolute(**row)])).entries[entry[0]][entry[1]] == want
+
+
+def test_a_long_decimal_takes_a_root_in():
+    arm = kl.Arm([kl.revolute(d=0.2027816549469513, alpha=pi / 3),
+                  kl.revolute(d=0.2027816549469513)])
+    assert kl.closed_form(arm).entries[0][3] == "0.175614064606*S1"  # 0.20278... sqrt(3)/2
+
+
+@given(arms(most=4), st.integers(0, 9))
+@settings(max_examples=25)
+def test_no_number_of_any_arm_is_ugly_and_all_read_right(arm, seed):
+    q, size = joint_array(arm, seed), 1 + sum(abs(row.a) + abs(row.d) for row in arm.links)
+    want = textbook.frames(meant(arm), q)[-1]
+    for lengths in ("numbers", "symbols"):
+        form = kl.closed_form(arm, lengths=lengths)
+        for i, j in np.ndindex(4, 4):
+            for written in (form.entries[i][j], plain(notation.latex(form.matrix[i, j],
+                                                                     form.joints))):
+                assert not re.search(r"(?<![\w.])1\*(?!\*)|[\d.]e[-+\d]", written), written
+                for number in re.findall(r"(?<![CS\d])[\d.]+", written):
+                    assert len(number.replace(".", "").strip("0")) <= 12, written
+            close(read(form.entries[i][j], form, q), want[i, j], atol=1e-9 * size)
+
+
+def test_what_rounding_left_of_zero_is_not_written():
+    near = 1.5707 + 2e-5  # five such cosines are 1e-21
+    arm = kl.Arm([kl.revolute(d=1, alpha=near) for _ in range(5)],
+                 tool=textbook.rigid(o=(1, 6e-17, 0)))
+    form = kl.closed_form(arm)
+    assert not re.search(r"0\.0{12}", form.text)
+    close(numbers(form, [0.1, 0.2, 0.3, 0.4, 0.5]),
+          textbook.frames(arm, [0.1, 0.2, 0.3, 0.4, 0.5])[-1], atol=1e-11)
+    small = kl.closed_form(kl.Arm([kl.revolute(a=1e-5, alpha=0.3)] * 2))
+    assert small.entries[0][3].startswith("0.00001*C1 + ")
 
 
 def test_no_stray_float_beside_a_right_angle():
@@ -347,7 +451,7 @@ def test_notation_of_other_expressions():
         sp.cos(2 * t1): ("cos(2*theta_1)", r"\cos{\left(2 \theta_{1} \right)}"),
         sp.Symbol("L"): ("L", "L"),
         sp.sqrt(a): ("sqrt(a_1)", r"\sqrt{a_{1}}"),
-        0.5 * sp.sin(t1) / 3: ("0.166667*S1", "0.166667 S_{1}"),
+        0.5 * sp.sin(t1) / 3: ("0.166666666667*S1", "0.166666666667 S_{1}"),
         sp.cos(sp.pi / 12) * sp.cos(t2): (
             "(sqrt(2)/4 + sqrt(6)/4)*C2",
             r"\left(\frac{\sqrt{2}}{4} + \frac{\sqrt{6}}{4}\right) C_{2}"),
