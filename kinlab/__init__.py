@@ -9,7 +9,7 @@ from importlib import import_module
 from typing import Any
 
 _NAMES = {
-    "arms.link": ("Link", "prismatic", "revolute"),
+    "arms.link": ("Link", "fixed", "prismatic", "revolute"),
     "arms.arm": ("Arm", "to_modified", "to_standard"),
     "arms.kinematics": ("forward_kinematics", "jacobian", "link_frames"),
     "arms.transforms": ("apply", "compose", "homogeneous", "inverse", "rotation_2d", "rotation_x",

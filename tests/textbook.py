@@ -29,8 +29,9 @@ DH = {"standard": standard, "modified": modified}
 
 def frames(arm, q):
     """T_00 ... T_0n and T_0E: DH matrices multiplied one after the other."""
-    T = [arm.base]
-    for link, value in zip(arm.links, q):
+    T, values = [arm.base], iter(q)
+    for link in arm.links:
+        value = 0 if link.kind == "fixed" else next(values) * (-1 if link.flip else 1)
         turn, slide = (value, 0) if link.kind == "revolute" else (0, value)
         row = DH[arm.convention](link.theta + turn, link.d + slide, link.a, link.alpha)
         T.append(T[-1] @ row)
@@ -55,8 +56,12 @@ def exponentials(arm, q):
     zero = frames(arm, np.zeros(arm.n))
     first = 0 if arm.convention == "standard" else 1
     T = np.eye(4)
-    for link, frame, value in zip(arm.links, zero[first:], q):
-        axis, point = frame[:3, 2], frame[:3, 3]
+    values = iter(q)
+    for link, frame in zip(arm.links, zero[first:]):
+        if link.kind == "fixed":
+            continue
+        value = next(values)
+        axis, point = (-frame[:3, 2] if link.flip else frame[:3, 2]), frame[:3, 3]
         if link.kind == "revolute":
             R = turn(axis, value)
             T = T @ rigid(R, point - R @ point)

@@ -229,7 +229,7 @@ def _table(drawing: _Drawing) -> Arm:
     rows = [_row(np.linalg.inv(before) @ after) for before, after in pairwise(poses)]
     links, home = [], []
     for link, row in zip(drawing.reference.links, rows):
-        home.append(row.pop(link.variable))
+        home.append(row.pop(str(link.variable)))
         links.append(with_numbers(replace(link, theta=0.0, d=0.0, limits=None), **row))
     reference = drawing.reference
     return Arm(links, name=reference.name, unit=reference.unit, base=poses[0], home=home)

@@ -56,7 +56,7 @@ def _tool_elsewhere(n: int) -> Verdict:
 
 
 def _other_zero(mine: Axes, j: int, value: float) -> Verdict:
-    variable = mine.arm.links[j].variable
+    variable = str(mine.arm.links[j].variable)
     text = apart(degrees(wrapped(value)) if mine.turns[j] else value, np.inf)[0]
     return Verdict(NOT_YET, f"{_STANCE}. Joint {j + 1}: {variable}{j + 1} should hold the offset "
                             f"{text}{'°' * bool(mine.turns[j])}.", Fault(j + 1, variable))
@@ -72,7 +72,7 @@ def _zeros(axes: Axes, theirs: Axes, signs: np.ndarray) -> list[tuple[int, float
         k = out[-1]
         for j in set(range(k + 1, axes.n)) - set(steps):
             value = _zero(axes, j, k, signs[k] * z[k], points)
-            trial = axes_of(_with(axes.arm, j, axes.arm.links[j].variable, value))
+            trial = axes_of(_with(axes.arm, j, str(axes.arm.links[j].variable), value))
             if k not in _out_of_place(trial, theirs)[0]:
                 steps[j], axes = value, trial
                 break

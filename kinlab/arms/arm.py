@@ -6,13 +6,14 @@ from collections.abc import Iterable
 from dataclasses import dataclass, replace
 from functools import cached_property
 from html import escape
+from itertools import accumulate
 from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from . import inputs, printed
-from .link import Link
+from .link import FIXED, Link
 from .motions import ROTATE, TRANSLATE, Frame, Motion, X, Z, follow, matrix, motions_of
 
 # A DH convention is only an order of the same four motions.
@@ -24,6 +25,7 @@ CONVENTIONS = {
 }
 
 
+@inputs.lasting
 @dataclass(frozen=True, eq=False, init=False)
 class Arm:
     """A serial arm: one DH row per joint, with an optional base, tool and home.
@@ -31,7 +33,8 @@ class Arm:
     Parameters
     ----------
     links : sequence of Link
-        From base to tool, each made with `revolute` or `prismatic`.
+        From base to tool, each made with `revolute`, `prismatic` or `fixed`. A fixed row has a
+        frame of its own, and no joint: q has one value for each of the others.
     convention : {"standard", "modified"}
         standard: A_i = Rz(theta) Tz(d) Tx(a) Rx(alpha) (Spong, Schilling).
         modified: A_i = Rx(alpha) Tx(a) Rz(theta) Tz(d) (Craig); row i then holds
@@ -41,12 +44,13 @@ class Arm:
     base, tool : array, shape (4, 4), optional
         Pose of frame 0 in the room, and of the tool frame in frame n.
     home : sequence of n floats, optional
-        Joint values (rad or length) at the arm's home; zeros if left out.
+        Joint values (rad or length) at the arm's home. If left out: zeros, and for a locked
+        joint the value at which it is locked.
 
     Raises
     ------
     ValueError
-        If there is no link, a matrix is not rigid, or home does not fit.
+        If there is no joint, a matrix is not rigid, or home does not fit.
 
     Examples
     --------
@@ -72,19 +76,30 @@ class Arm:
                   "convention": inputs.choice("convention", convention, tuple(CONVENTIONS)),
                   "name": inputs.line("name", name), "unit": inputs.line("unit", unit),
                   "base": _pose("base", base), "tool": _pose("tool", tool),
-                  "home": _home(home, len(rows))}
+                  "home": _home(home, _moving(rows))}
         for field, value in values.items():
             object.__setattr__(self, field, value)
 
     @property
     def n(self) -> int:
-        """Number of joints."""
-        return len(self.links)
+        """Number of joints: of values in q."""
+        return len(self.joints)
+
+    @cached_property
+    def joints(self) -> tuple[Link, ...]:
+        """The rows that a joint moves, one for each value in q; `links` has the fixed ones too."""
+        return _moving(self.links)
+
+    @cached_property
+    def rows(self) -> tuple[int, ...]:
+        """The number of each joint's row, from 0: its place in `links`."""
+        return tuple(k for k, link in enumerate(self.links) if link.kind != FIXED)
 
     @cached_property
     def chain(self) -> tuple[tuple[Motion, ...], ...]:
-        """The elementary motions of the base, of each link, and of the tool: n + 2 stretches."""
-        links = (_link_motions(link, i, self.convention) for i, link in enumerate(self.links))
+        """The elementary motions of the base, of each row, and of the tool."""
+        joints = accumulate((int(link.kind != FIXED) for link in self.links), initial=0)
+        links = (_link_motions(link, i, self.convention) for link, i in zip(self.links, joints))
         return (motions_of(self.base), *links, motions_of(self.tool))
 
     def __repr__(self) -> str:
@@ -161,8 +176,9 @@ def _split_x_screw(T: np.ndarray) -> tuple[np.ndarray, tuple[float, float]]:
 
 
 def _link_motions(link: Link, joint: int, convention: str) -> tuple[Motion, ...]:
-    return tuple(Motion(kind, axis, getattr(link, parameter),
-                        joint if parameter == link.variable else None)
+    sign = -1 if link.flip else 1
+    return tuple(Motion(kind, axis, getattr(link, parameter), joint, sign)
+                 if parameter == link.variable else Motion(kind, axis, getattr(link, parameter))
                  for kind, axis, parameter in CONVENTIONS[convention])
 
 
@@ -174,7 +190,14 @@ def _links(links: Any) -> tuple[Link, ...]:
     if not rows or not all(isinstance(link, Link) for link in rows):
         raise ValueError("links: expected at least one link, "
                          f"got {inputs.brief(links)}; make them with revolute() and prismatic()")
+    if not _moving(rows):
+        raise ValueError("links: expected at least one joint, got only fixed rows; "
+                         "make one with revolute() or prismatic()")
     return rows
+
+
+def _moving(rows: Iterable[Link]) -> tuple[Link, ...]:
+    return tuple(link for link in rows if link.kind != FIXED)
 
 
 def _pose(end: str, T: Any) -> np.ndarray:
@@ -183,8 +206,9 @@ def _pose(end: str, T: Any) -> np.ndarray:
     return T
 
 
-def _home(q: Any, n: int) -> np.ndarray:
-    home = inputs.shaped("home", np.zeros(n) if q is None else q, (n,),
+def _home(q: Any, joints: tuple[Link, ...]) -> np.ndarray:
+    n, locks = len(joints), [link.lock or 0.0 for link in joints]
+    home = inputs.shaped("home", locks if q is None else q, (n,),
                          f"{n} joint values, one per joint")
     home.flags.writeable = False
     return home

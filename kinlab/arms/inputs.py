@@ -4,8 +4,9 @@ from __future__ import annotations
 import math
 import sys
 import warnings
+from dataclasses import FrozenInstanceError
 from numbers import Integral
-from typing import Any
+from typing import Any, NoReturn, TypeVar
 
 import numpy as np
 
@@ -37,6 +38,18 @@ def _levels_up_to_the_student() -> int:
     while frame.f_back and frame.f_globals.get("__name__", "").split(".")[0] == _PACKAGE:
         level, frame = level + 1, frame.f_back
     return level
+
+
+Class = TypeVar("Class", bound=type)
+
+
+def lasting(cls: Class) -> Class:
+    """A frozen dataclass that says how to make another one of it to who tries to change it."""
+    def refuse(self: Any, name: str, *value: Any) -> NoReturn:
+        raise FrozenInstanceError(f"{name}: this {cls.__name__} does not change; make another one "
+                                  f"with dataclasses.replace(..., {name}=...)")
+    cls.__setattr__ = cls.__delattr__ = refuse  # type: ignore[assignment]
+    return cls
 
 
 def real_array(name: str, value: Any, expected: str) -> np.ndarray:
@@ -172,6 +185,13 @@ def rigids(name: str, matrices: np.ndarray) -> np.ndarray:
     matrices = matrices.copy()
     matrices[..., :3, :3] = R
     return matrices
+
+
+def yes_or_no(name: str, value: Any) -> bool:
+    """True or False."""
+    if not isinstance(value, bool | np.bool_):
+        raise ValueError(f"{name}: expected True or False, got {brief(value)}")
+    return bool(value)
 
 
 def choice(name: str, value: Any, options: tuple[str, ...]) -> str:

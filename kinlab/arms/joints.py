@@ -2,6 +2,7 @@
 from __future__ import annotations
 
 import math
+from bisect import bisect_left
 from typing import Any
 
 import numpy as np
@@ -40,13 +41,18 @@ def first_pose(arm: Arm, q: Any) -> np.ndarray:
     return one_pose(arm, arm.home if isinstance(arm, Arm) and q is None else q)
 
 
+def joints_before(arm: Arm, row: int) -> int:
+    """How many joints carry the frame of a row (from 1): the number of the link it sits on."""
+    return bisect_left(arm.rows, row)
+
+
 def joint_limits(arm: Arm, *, turn: Range = ANY, slide: Range = ANY) -> np.ndarray:
     """Lowest and highest value of each joint, shape (2, n).
 
     `turn` and `slide` stand in for the limits of a joint that has none.
     """
     return np.array([link.limits or (turn if link.kind == REVOLUTE else slide)
-                     for link in arm.links]).T
+                     for link in arm.joints]).T
 
 
 def joint_ranges(arm: Arm) -> np.ndarray:

@@ -10,7 +10,7 @@ import numpy as np
 
 from .arm import Arm, check_arm
 from .joints import joint_array
-from .link import REVOLUTE, Link
+from .link import PRISMATIC, Link
 from .motions import ROTATE, Frame, Motion, Values, along, cross, difference, matrix, stack
 
 # Poses worked on at a time, so that all components of a frame stay in the processor's cache.
@@ -49,6 +49,8 @@ def forward_kinematics(arm: Arm, q: Any) -> np.ndarray:
 def link_frames(arm: Arm, q: Any) -> np.ndarray:
     """Poses of frames 0 to n in the room: T_00 (the base), T_01, ..., T_0n, without the tool.
 
+    Every row of the table has a frame, a fixed one too.
+
     Parameters
     ----------
     arm : Arm
@@ -57,7 +59,7 @@ def link_frames(arm: Arm, q: Any) -> np.ndarray:
 
     Returns
     -------
-    array, shape (..., n + 1, 4, 4)
+    array, shape (..., len(arm.links) + 1, 4, 4)
 
     Raises
     ------
@@ -138,13 +140,18 @@ def twist(kind: str, axis: Values, lever: Values) -> tuple:
 
 def tool_and_joints(motions: Iterable[Motion], q: Values, frame: Frame | None = None
                     ) -> tuple[Frame, list[tuple]]:
-    """The frame at the end of the motions, and each joint's kind, axis and a point on it."""
+    """The frame at the end of the motions, and each joint's kind, axis and a point on it.
+
+    The axis is the one about or along which the joint moves as its value grows.
+    """
     frame, joints = frame or Frame(), []
     for motion in motions:
         frame = frame.moved(motion, q)
         if motion.joint is not None:
             axes = frame.axes if frame.about == motion.axis else frame.settled()
-            joints.append((motion.kind, axes[motion.axis], frame.origin))
+            axis = axes[motion.axis]
+            way = axis if motion.sign > 0 else tuple(-component for component in axis)
+            joints.append((motion.kind, way, frame.origin))
     return frame, joints
 
 
@@ -167,7 +174,7 @@ def typical_length(arm: Arm) -> float:
 def axis_frames(arm: Arm) -> list[int]:
     """Index of the link frame whose z is the axis of each joint."""
     first = 0 if arm.convention == "standard" else 1
-    return list(range(first, first + arm.n))
+    return [row + first for row in arm.rows]
 
 
 def _matrices(stretches: Sequence[Sequence[Motion]], q: np.ndarray) -> np.ndarray:
@@ -193,6 +200,7 @@ def _write(frame: Frame, out: np.ndarray) -> None:
 
 def _longest(link: Link) -> float:
     """The largest link offset, whatever the joint does."""
-    if link.kind == REVOLUTE:
+    if link.kind != PRISMATIC:
         return abs(link.d)
-    return max(abs(link.d + end) for end in link.limits) if link.limits else math.inf
+    sign = -1 if link.flip else 1
+    return max(abs(link.d + sign * end) for end in link.limits) if link.limits else math.inf

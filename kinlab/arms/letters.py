@@ -11,7 +11,7 @@ import sympy as sp
 
 from . import inputs
 from .arm import CONVENTIONS, Arm
-from .link import PARAMETERS, REVOLUTE
+from .link import PARAMETERS, PRISMATIC, REVOLUTE
 from .motions import ROTATE, TRANSLATE, Motion
 from .notation import plain_name
 
@@ -75,13 +75,15 @@ def names(arm: Arm) -> dict[Cell, str]:
     tool, modified, last = len(arm.chain) - 1, arm.convention == "modified", arm.links[-1]
     found = {(end, axis): f"{axis}_{letter}"
              for end, letter in ((0, "B"), (tool, "E")) for axis in _END.values()}
+    joints = {joint_symbol(link.kind, i).name for i, link in enumerate(arm.joints, start=1)}
     for row, link in enumerate(arm.links, start=1):
         found |= {(row, parameter): f"{parameter}_{row}" for parameter in PARAMETERS}
         found |= {(row, parameter): f"{parameter}_{row - modified}" for parameter in ("a", "alpha")}
-        found[row, link.variable] = f"offset_{row}"
+        found |= {(row, parameter): f"offset_{row}" for parameter in PARAMETERS
+                  if parameter == link.variable or found[row, parameter] in joints}
     if modified or last.a == 0:
         found[tool, "x"] = f"a_{len(arm.links)}"
-    if modified and last.kind == REVOLUTE and last.d == 0:
+    if modified and last.kind != PRISMATIC and last.d == 0:
         found[tool, "z"] = f"d_{len(arm.links)}"
     return found
 
@@ -216,7 +218,7 @@ def _symbol(argument: str, name: Any) -> sp.Symbol:
 def _check_names(arm: Arm, symbols: Iterable[sp.Symbol]) -> None:
     """A name that reads like a joint's variable would say two things."""
     variables = {plain_name(joint_symbol(link.kind, i).name): i
-                 for i, link in enumerate(arm.links, start=1)}
+                 for i, link in enumerate(arm.joints, start=1)}
     for symbol in symbols:
         if joint := variables.get(plain_name(symbol.name)):
             raise ValueError(f"symbols: {symbol} is the variable of joint {joint}; "

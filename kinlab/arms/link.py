@@ -1,4 +1,4 @@
-"""A link: one row of a DH table, with the joint that drives it."""
+"""A link: one row of a DH table, with the joint that drives it, if one does."""
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
@@ -6,14 +6,16 @@ from typing import Any
 
 from . import inputs
 
-REVOLUTE, PRISMATIC = "revolute", "prismatic"
+REVOLUTE, PRISMATIC, FIXED = "revolute", "prismatic", "fixed"
+KINDS = (REVOLUTE, PRISMATIC, FIXED)
 PARAMETERS = ("theta", "d", "a", "alpha")
-_VARIABLE = {REVOLUTE: "theta", PRISMATIC: "d"}
+_VARIABLE = {REVOLUTE: "theta", PRISMATIC: "d", FIXED: None}
 
 
+@inputs.lasting
 @dataclass(frozen=True)
 class Link:
-    """One row of a DH table. Make it with `revolute` or `prismatic`."""
+    """One row of a DH table. Make it with `revolute`, `prismatic` or `fixed`."""
 
     kind: str
     theta: float = 0.0
@@ -22,9 +24,10 @@ class Link:
     alpha: float = 0.0
     limits: tuple[float, float] | None = None
     name: str | None = None
+    flip: bool = False
 
     def __post_init__(self) -> None:
-        inputs.choice("kind", self.kind, (REVOLUTE, PRISMATIC))
+        inputs.choice("kind", self.kind, KINDS)
         for parameter in PARAMETERS:
             value = inputs.number(parameter, getattr(self, parameter))
             object.__setattr__(self, parameter, value)
@@ -32,15 +35,24 @@ class Link:
             object.__setattr__(self, "limits", _limits(self.limits))
         if self.name is not None:
             inputs.line("name", self.name)
+        object.__setattr__(self, "flip", inputs.yes_or_no("flip", self.flip))
+        if self.kind == FIXED and (self.flip or self.limits):
+            raise ValueError("limits, flip: a fixed row has no joint; leave them out")
 
     @property
-    def variable(self) -> str:
-        """The parameter that the joint moves: 'theta' or 'd'."""
-        return _VARIABLE[self.kind]
+    def variable(self) -> str | None:
+        """The parameter that the joint moves: 'theta' or 'd'; None for a fixed row."""
+        return variable_of(self.kind)
+
+    @property
+    def lock(self) -> float | None:
+        """Where the joint is locked, its limits being one value; None for one that moves."""
+        return self.limits[0] if self.limits and self.limits[0] == self.limits[1] else None
 
 
-def revolute(*, theta: float = 0, d: float = 0, a: float = 0, alpha: float = 0,
-             limits: tuple[float, float] | None = None, name: str | None = None) -> Link:
+def revolute(*positional: Any, theta: float = 0, d: float = 0, a: float = 0, alpha: float = 0,
+             limits: tuple[float, float] | None = None, name: str | None = None,
+             flip: bool = False) -> Link:
     """A link driven by a revolute joint: it turns about z by ``q + theta``.
 
     Parameters
@@ -54,9 +66,11 @@ def revolute(*, theta: float = 0, d: float = 0, a: float = 0, alpha: float = 0,
     alpha : float
         Link twist about x (rad).
     limits : (float, float), optional
-        Smallest and largest q (rad).
+        Smallest and largest q (rad). Two equal values lock the joint there.
     name : str, optional
         The joint's name on the arm, such as 'shoulder'.
+    flip : bool
+        True for a joint that counts the other way: it turns by ``-q + theta``.
 
     Returns
     -------
@@ -66,6 +80,8 @@ def revolute(*, theta: float = 0, d: float = 0, a: float = 0, alpha: float = 0,
     ------
     ValueError
         If a parameter is not a finite number or the limits are reversed.
+    TypeError
+        If numbers are given without their names.
 
     Examples
     --------
@@ -73,11 +89,13 @@ def revolute(*, theta: float = 0, d: float = 0, a: float = 0, alpha: float = 0,
     >>> revolute(d=215, alpha=-pi / 2).kind
     'revolute'
     """
-    return Link(REVOLUTE, theta, d, a, alpha, limits, name)
+    _refuse_unnamed(REVOLUTE, positional)
+    return Link(REVOLUTE, theta, d, a, alpha, limits, name, flip)
 
 
-def prismatic(*, theta: float = 0, d: float = 0, a: float = 0, alpha: float = 0,
-              limits: tuple[float, float] | None = None, name: str | None = None) -> Link:
+def prismatic(*positional: Any, theta: float = 0, d: float = 0, a: float = 0, alpha: float = 0,
+              limits: tuple[float, float] | None = None, name: str | None = None,
+              flip: bool = False) -> Link:
     """A link driven by a prismatic joint: it slides along z by ``q + d``.
 
     Parameters are those of `revolute`; here `d` is the joint's offset and `limits` are lengths.
@@ -88,7 +106,28 @@ def prismatic(*, theta: float = 0, d: float = 0, a: float = 0, alpha: float = 0,
     >>> prismatic(theta=pi / 2, limits=(0, 0.4)).limits
     (0.0, 0.4)
     """
-    return Link(PRISMATIC, theta, d, a, alpha, limits, name)
+    _refuse_unnamed(PRISMATIC, positional)
+    return Link(PRISMATIC, theta, d, a, alpha, limits, name, flip)
+
+
+def fixed(*positional: Any, theta: float = 0, d: float = 0, a: float = 0, alpha: float = 0,
+          name: str | None = None) -> Link:
+    """A row of the table without a joint: a flange, a bend in a link, a gripper.
+
+    Parameters are those of `revolute`. The row has a frame of its own and no value in q.
+
+    Examples
+    --------
+    >>> fixed(d=0.303, name="gripper").variable is None
+    True
+    """
+    _refuse_unnamed(FIXED, positional)
+    return Link(FIXED, theta, d, a, alpha, name=name)
+
+
+def variable_of(kind: str) -> str | None:
+    """The parameter that a joint of this kind moves; None for a fixed row."""
+    return _VARIABLE[kind]
 
 
 def with_numbers(link: Link, **numbers: float) -> Link:
@@ -96,9 +135,16 @@ def with_numbers(link: Link, **numbers: float) -> Link:
     return replace(link, **numbers)  # type: ignore[arg-type]  # mypy sees no names in a **dict
 
 
+def _refuse_unnamed(kind: str, positional: tuple) -> None:
+    if positional:
+        raise TypeError(f"{kind}: expected numbers with their names, got "
+                        f"{', '.join(map(inputs.brief, positional))}; write {kind}(theta=..., "
+                        "d=..., a=..., alpha=...)")
+
+
 def _limits(limits: Any) -> tuple[float, float]:
     low, high = inputs.shaped("limits", limits, (2,), "two numbers (lowest, highest)")
-    if not low < high:
+    if not low <= high:
         raise ValueError(f"limits: expected lowest < highest, got ({low:g}, {high:g}); "
                          "swap them")
     return float(low), float(high)

@@ -42,16 +42,22 @@ class Motion:
         Constant part: an angle in radians or a length.
     joint : int, optional
         Index of the joint variable that is added to `amount`.
+    sign : {1, -1}
+        -1 where the joint variable is taken away instead.
     """
 
     kind: str
     axis: int
     amount: Any = 0
     joint: int | None = None
+    sign: int = 1
 
     def value(self, q: Values) -> Any:
         """Angle or length of the motion at joint values `q`."""
-        return self.amount if self.joint is None else q[self.joint] + self.amount
+        if self.joint is None:
+            return self.amount
+        q_i = q[self.joint]
+        return (q_i if self.sign > 0 else -q_i) + self.amount
 
     @property
     def idle(self) -> bool:

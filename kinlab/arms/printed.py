@@ -3,13 +3,22 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping, Sequence
+from itertools import accumulate
+from typing import Protocol
 
-from .link import Link
+from .link import FIXED, Link
 
 # The columns as each convention's books print them; a modified row i holds a and alpha of i-1.
 HEADS = {"standard": {"theta": "θ", "d": "d", "a": "a", "alpha": "α"},
          "modified": {"alpha": "α(i-1)", "a": "a(i-1)", "d": "d", "theta": "θ"}}
 _ANGLES = ("theta", "alpha")
+
+
+class HasKind(Protocol):
+    """A row of a table, as numbers or as typed."""
+
+    @property
+    def kind(self) -> str: ...
 
 
 def number_rows(links: Sequence[Link], convention: str) -> list[list[str]]:
@@ -62,8 +71,13 @@ def _tagged(row: Sequence[str], tag: str) -> str:
 def _rows(links: Sequence[Link], heads: Mapping[str, str],
           cell: Callable[[Link, str, int], str]) -> list[list[str]]:
     return [["i", *heads.values()]] + [
-        [str(i), *(cell(link, parameter, i) for parameter in heads)]
-        for i, link in enumerate(links, start=1)]
+        [str(i), *(cell(link, parameter, joint) for parameter in heads)]
+        for i, (link, joint) in enumerate(zip(links, joint_numbers(links)), start=1)]
+
+
+def joint_numbers(links: Sequence[HasKind]) -> list[int]:
+    """The number of each row's joint, from 1; a fixed row has that of the joint before it."""
+    return list(accumulate(int(link.kind != FIXED) for link in links))
 
 
 def _number(link: Link, parameter: str, i: int) -> str:
@@ -71,7 +85,7 @@ def _number(link: Link, parameter: str, i: int) -> str:
     text = f"{math.degrees(value):.6g}°" if parameter in _ANGLES else f"{value:.6g}"
     if parameter != link.variable:
         return text
-    variable = f"{HEADS['standard'][parameter]}{i}*"
+    variable = f"{'-' * link.flip}{HEADS['standard'][parameter]}{i}*"
     return f"{variable} {'-' if value < 0 else '+'} {text.lstrip('-')}" if value else variable
 
 
@@ -80,4 +94,5 @@ def _sign(link: Link, parameter: str, _: int) -> str:
     sign = "+" if value > 0 else "−" if value < 0 else "0"
     if parameter != link.variable:
         return sign
-    return f"*{sign}" if value else "*"
+    star = "−*" if link.flip else "*"
+    return f"{star}{sign}" if value else star

@@ -206,7 +206,7 @@ def _exact_chain(arm: Arm, stretches: slice, lengths: Any, symbols: Any) -> _Cha
     used = {symbol for cell, _ in moves for symbol in cells.get(cell, sp.S.Zero).free_symbols}
     rounded = {names(arm)[cell]: motion.amount for cell, motion in moves
                if cell not in cells and motion.kind == ROTATE and looks_rounded(motion.amount)}
-    joints = tuple(joint_symbol(link.kind, i) for i, link in enumerate(arm.links, start=1))
+    joints = tuple(joint_symbol(link.kind, i) for i, link in enumerate(arm.joints, start=1))
     return _Chain(joints, motions, {s: value for s, value in values.items() if s in used},
                   _remark(rounded), size)
 
@@ -261,8 +261,9 @@ def _without_noise(expression: sp.Expr, size: float) -> sp.Expr:
 
 def _stretch(arm: Arm, start: int, stop: int | None) -> slice:
     """Stretches of `arm.chain` from frame start to frame stop."""
-    end = arm.n if stop is None else stop
-    if not all(isinstance(k, Integral) for k in (start, end)) or not 0 <= start <= end <= arm.n:
-        raise ValueError(f"start, stop: expected frames 0 <= start <= stop <= {arm.n}, "
+    last = len(arm.links)
+    end = last if stop is None else stop
+    if not all(isinstance(k, Integral) for k in (start, end)) or not 0 <= start <= end <= last:
+        raise ValueError(f"start, stop: expected frames 0 <= start <= stop <= {last}, "
                          f"got start={inputs.brief(start)}, stop={inputs.brief(stop)}")
     return slice(start + 1 if start else 0, None if stop is None else end + 1)

@@ -70,7 +70,11 @@ class Row {
     this.unit.textContent = unit;
     this.range.min = String(tidy(low));
     this.range.max = String(tidy(high));
-    for (const node of [this.label, this.range, this.field]) node.title = title || label;
+    const { low: least, high: most } = knob, locked = least === most;
+    for (const node of [this.label, this.range, this.field]) {
+      node.title = `${title || label}${locked ? ", locked" : ""}`;
+    }
+    this.range.disabled = this.field.disabled = locked;
     this.range.setAttribute("aria-label", name);
     this.field.setAttribute("aria-label", `${name}, number${unit && " in "}${unit}`);
     this.value = NaN;                               // to be shown anew

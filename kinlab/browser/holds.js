@@ -101,9 +101,10 @@ export class Hold {
  * @param {Scene} scene
  * @param {Item} item
  */
-function jointOf({ motions }, item) {
+function jointOf({ knobs, motions }, item) {
   const body = BODIES.includes(item.shape) && (item.link || item.joint);
-  return body ? jointMotion(motions, item) : -1;
+  const motion = body ? jointMotion(motions, item) : -1, knob = knobs[motions[motion]?.joint ?? -1];
+  return knob?.low === knob?.high ? -1 : motion;    // a locked joint does not go
 }
 
 /**

@@ -35,7 +35,7 @@ const HEARD = 400;                                  // ms: a screen reader need 
  */
 function limits(knobs, q) {
   return knobs.flatMap(({ label, suffix, scale, low, high, whole }, i) => {
-    if (whole) return [];                           // its last stage is an end, not a limit
+    if (whole || low === high) return [];           // a last stage and a lock are no limits
     const slack = 1e-6 * (high - low);
     if (q[i] > low + slack && q[i] < high - slack) return [];
     const at = String(Number((q[i] / scale).toFixed(3))).replace("-", "\u2212");

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from ..arms.arm import Arm
+from ..arms.joints import joints_before
 from ..arms.kinematics import link_frames
 from ..arms.link import REVOLUTE
 from ..arms.motions import Motion, Numbers
@@ -24,7 +25,7 @@ _LONGEST = 20  # letters of a joint's name in the picture
 def is_planar(arm: Arm) -> bool:
     """True when all joints turn about parallel axes along the room's z."""
     frames = link_frames(arm, np.full(arm.n, 0.3))
-    revolute = all(link.kind == REVOLUTE for link in arm.links)
+    revolute = all(link.kind == REVOLUTE for link in arm.joints)
     return revolute and bool(np.allclose(np.abs(frames[:, 2, 2]), 1))
 
 
@@ -37,7 +38,7 @@ def arm_scene(arm: Arm, q: Numbers | None = None, *, show: Any = (),
     """
     layout = Layout(arm, q)
     bodies, knobs = Bodies(layout), tuple(joint_knobs(arm))
-    named = any(link.name for link in arm.links)
+    named = any(link.name for link in arm.joints)
     items = [*_ghost(layout), *bodies.items(), *_axes(layout, bodies), *_triads(layout, bodies),
              *(_names(layout, bodies) if named else ()), *_trace(layout)]
     switches = tuple(switch for switch in arm_switches(show) if named or switch.layer != "names")
@@ -57,7 +58,7 @@ def link_ends(arm: Arm) -> list[int]:
 
 
 def _step(motion: Motion) -> Step:
-    return Step(motion.kind, motion.axis, motion.amount, motion.joint)
+    return Step(motion.kind, motion.axis, motion.amount, motion.joint, gain=float(motion.sign))
 
 
 def _floor(layout: Layout, bodies: Bodies) -> Floor:
@@ -87,7 +88,8 @@ def _axes(layout: Layout, bodies: Bodies) -> Iterator[Item]:
 
 def _triads(layout: Layout, bodies: Bodies) -> list[Item]:
     """Axes of frames 0 to n, and of the tool where it has a frame of its own."""
-    frames = [(str(i), frame, i) for i, frame in enumerate(layout.ends[:-1])]
+    frames = [(str(row), frame, joints_before(layout.arm, row))
+              for row, frame in enumerate(layout.ends[:-1])]
     if layout.ends[-1] != layout.ends[-2]:
         frames.append(("E", layout.last, layout.arm.n))
     items: list[Item] = []
@@ -118,7 +120,7 @@ def _triad(layout: Layout, which: tuple[str, int, int], size: tuple[float, float
 
 def _names(layout: Layout, bodies: Bodies) -> Iterator[Item]:
     """The name of each joint that has one, at its body."""
-    for i, link in enumerate(layout.arm.links):
+    for i, link in enumerate(layout.arm.joints):
         if link.name:
             place = at(layout.joints[i], (0, 0, bodies.places[i].along))
             yield Item(f"name-{i + 1}", TEXT, "ink", place, layer="names", text=_brief(link.name),

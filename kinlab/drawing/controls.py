@@ -51,7 +51,7 @@ class Knob:
     def length(cls, name: str, label: str, low: float, high: float, home: float = 0.0,
                unit: str = "", title: str = "") -> Knob:
         """A knob for a length; an arrow key moves it by about a fiftieth of its way."""
-        step = 10.0 ** math.floor(math.log10((high - low) / 20))
+        step = 10.0 ** math.floor(math.log10(((high - low) or 1.0) / 20))
         return cls(name, label, low, high, home, unit, 1.0, step, title, quantity="length")
 
     @property
@@ -62,7 +62,7 @@ class Knob:
     @property
     def digits(self) -> int:
         """Decimals that the slider shows."""
-        way = (self.high - self.low) / self.scale
+        way = ((self.high - self.low) or abs(self.high) or 1.0) / self.scale  # one value: a lock
         return max(1 if self.unit == "°" else 0, math.ceil(1 - math.log10(way)))
 
     @property
@@ -150,7 +150,7 @@ class Handle:
 
 def joint_knob(arm: Arm, i: int) -> Knob:
     """The knob of joint i: its textbook name, its limits, its home."""
-    link, (low, high), home = arm.links[i], joint_range(arm, i), float(arm.home[i])
+    link, (low, high), home = arm.joints[i], joint_range(arm, i), float(arm.home[i])
     number, title = str(i + 1), link.name or f"joint {i + 1}"
     if link.kind == REVOLUTE:
         return Knob.angle(f"theta_{number}", f"θ{subscript(number)}", low, high, home, title)
@@ -210,7 +210,7 @@ _TINY = 0.01  # of its unit: three decimals would not tell where such an arm is
 
 def tool_name(arm: Arm) -> str:
     """The name of the tool's frame: n, or E where the tool has a frame of its own."""
-    return str(arm.n) if np.array_equal(arm.tool, np.eye(4)) else "E"
+    return str(len(arm.links)) if np.array_equal(arm.tool, np.eye(4)) else "E"
 
 
 def decimals(size: float) -> int:

@@ -42,7 +42,7 @@ class Layout:
 
     def slides(self, i: int) -> bool:
         """Whether joint i (from 0) is prismatic."""
-        return self.arm.links[i].kind == PRISMATIC
+        return self.arm.joints[i].kind == PRISMATIC
 
     def range(self, i: int) -> tuple[float, float]:
         """Lowest and highest value of joint i (from 0)."""
@@ -80,7 +80,7 @@ class Layout:
 def _poses_tried(arm: Arm) -> np.ndarray:
     """Poses all over the joint ranges; in half of them every slide is right in or right out."""
     low, high = joint_ranges(arm)
-    slides = [i for i, link in enumerate(arm.links) if link.kind == PRISMATIC]
+    slides = [i for i, link in enumerate(arm.joints) if link.kind == PRISMATIC]
     spread = np.random.default_rng(0).random((2000, arm.n))
     spread[::2, slides] = spread[::2, slides].round()
     return np.vstack([low + spread * (high - low), arm.home, np.clip(0, low, high)])

@@ -15,7 +15,7 @@ import numpy as np
 
 from ..arms import inputs
 from ..arms.arm import CONVENTIONS, Arm, check_arm
-from ..arms.joints import joint_range
+from ..arms.joints import joint_range, joints_before
 from ..arms.motions import ROTATE, Motion, X, Z
 from .arm_scene import link_ends
 from .camera import Camera
@@ -53,13 +53,14 @@ class LinkSketch(Sketch):
 
     def __init__(self, arm: Arm, link: Any, q: Any) -> None:
         check_arm(arm)
-        if not isinstance(link, Integral) or not 1 <= int(link) <= arm.n:
-            raise ValueError(f"link: expected a whole number from 1 to {arm.n}, "
+        if not isinstance(link, Integral) or not 1 <= int(link) <= len(arm.links):
+            raise ValueError(f"link: expected a whole number from 1 to {len(arm.links)}, "
                              f"got {inputs.brief(link)}")
         super().__init__(f"Link {link} of {arm.name or 'the arm'}, {arm.convention} DH",
                          planar=False, unit=arm.unit, grid=0)
         self.lay_arm(arm, q, keep=lambda item: not item.layer and item.part != "tip")
-        self.items = [_stepped_back(item, int(link)) for item in self.items]
+        body = joints_before(arm, int(link))
+        self.items = [_stepped_back(item, body) for item in self.items]
         self.arm, self.link = arm, int(link)
         self.bare()
         self.follows = True  # one link is looked at, not the arm
@@ -87,7 +88,7 @@ class LinkSketch(Sketch):
         frames = [self.first]
         for k, motion in enumerate(self.motions):
             frames.append(self.move(motion.kind, motion.axis, motion.amount, motion.joint,
-                                    frames[-1], scrub=(done, k)))
+                                    frames[-1], gain=float(motion.sign), scrub=(done, k)))
             verb = "turn about" if motion.kind == ROTATE else "slide along"
             self.reading(self.parameters[k], f"{k + 1}. {verb} {'xyz'[motion.axis]} by "
                          f"{self._name(k)}: {{}}{self._unit(motion)}", Amount(frames[-1]))
@@ -103,7 +104,7 @@ class LinkSketch(Sketch):
         for motion in motions:
             share = 1.0 if motion.kind == ROTATE else slides
             frames.append(self.move(motion.kind, motion.axis, share * motion.amount, motion.joint,
-                                    frames[-1], gain=share))
+                                    frames[-1], gain=share * motion.sign))
         return frames
 
     def _measure(self) -> None:
@@ -146,8 +147,13 @@ class LinkSketch(Sketch):
         return across / np.linalg.norm(across) * (-1 if across[other] > 0 else 1)
 
     def _name(self, k: int) -> str:
-        """The k-th parameter with its index: a and alpha of a modified row i have i-1."""
-        parameter = self.parameters[k]
+        """The k-th parameter with its index: a and alpha of a modified row i have i-1.
+
+        A joint variable has the number of its joint.
+        """
+        parameter, joint = self.parameters[k], self.motions[k].joint
+        if joint is not None:
+            return _LETTERS[parameter] + subscript(joint + 1)
         behind = self.arm.convention == "modified" and parameter in ("a", "alpha")
         return _LETTERS[parameter] + subscript(self.link - behind)
 
@@ -165,11 +171,12 @@ class LinkSketch(Sketch):
         name, motion = self._name(k), self.motions[k]
         if motion.joint is None:
             return name
+        variable = f"{'-' * (motion.sign < 0)}{name}*"
         if not motion.amount:
-            return f"{name}*"
+            return variable
         offset = math.degrees(motion.amount) if motion.kind == ROTATE else motion.amount
         sign = "-" if offset < 0 else "+"
-        return f"{name} = {name}* {sign} {abs(offset):.6g}{self._unit(motion)}"
+        return f"{name} = {variable} {sign} {abs(offset):.6g}{self._unit(motion)}"
 
     def _unit(self, motion: Motion) -> str:
         return "°" if motion.kind == ROTATE else f" {self.unit}"

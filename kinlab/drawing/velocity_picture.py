@@ -22,11 +22,11 @@ def velocity_scene(arm: Arm, q: Numbers) -> Scene:
     sketch = Sketch.of(arm, q, name=f"{arm.name or 'Arm'}: velocities")
     sketch.switches = _SWITCHES + sketch.switches
     rates = tuple(SECONDS * (1.0 if link.kind == REVOLUTE else typical_length(arm))
-                  for link in arm.links)
+                  for link in arm.joints)
     _ellipse(sketch, rates)
     for i, rate in enumerate(rates):
         _column(sketch, i, rates)
-        _column_reading(sketch, i, arm.links[i].kind == REVOLUTE, rate)
+        _column_reading(sketch, i, arm.joints[i].kind == REVOLUTE, rate)
     if sketch.planar:
         formula = "|det J|" if arm.n == 2 else "√det(J Jᵀ)"
         sketch.reading("w", f"w = {formula} = {{}} {arm.unit}²",

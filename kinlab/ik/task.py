@@ -62,7 +62,7 @@ class Task:
     @cached_property
     def revolute(self) -> np.ndarray:
         """Which joints turn, shape (n, 1)."""
-        return np.array([[link.kind == REVOLUTE] for link in self.arm.links])
+        return np.array([[link.kind == REVOLUTE] for link in self.arm.joints])
 
     @cached_property
     def kinds(self) -> tuple[tuple[str, Places], ...]:

@@ -11,7 +11,7 @@ import numpy as np
 
 from ..arms import inputs
 from ..arms.arm import CONVENTIONS, Arm, to_modified, to_standard
-from ..arms.link import PARAMETERS, PRISMATIC, REVOLUTE, Link
+from ..arms.link import FIXED, KINDS, PARAMETERS, REVOLUTE, Link, variable_of
 from .cells import (
     ANGLES,
     MILLIMETRES,
@@ -35,10 +35,11 @@ _keys = count()
 
 @dataclass(frozen=True)
 class Row:
-    """One joint: its type and the text of its cells.
+    """One row: its type and the text of its cells.
 
-    The cell of the joint variable (theta or d) holds the joint's offset. Limits and home may be
-    empty. `key` stays with a joint while rows come, go and move.
+    The cell of the joint variable (theta or d) holds the joint's offset; a fixed row has none.
+    Limits and home may be empty; two equal limits lock the joint. A joint with `flip` counts the
+    other way. `key` stays with a row while rows come, go and move.
     """
 
     kind: str = REVOLUTE
@@ -50,12 +51,13 @@ class Row:
     high: str = ""
     home: str = ""
     name: str = ""
+    flip: bool = False
     key: int = field(default_factory=_keys.__next__, compare=False)
 
     @property
-    def variable(self) -> str:
-        """The column that holds the joint's offset."""
-        return "theta" if self.kind == REVOLUTE else "d"
+    def variable(self) -> str | None:
+        """The column that holds the joint's offset; None for a fixed row."""
+        return variable_of(self.kind)
 
     def with_cells(self, cells: Mapping[str, Any]) -> Row:
         """The row with the texts of some cells changed."""
@@ -118,7 +120,8 @@ class DHTable:
     @classmethod
     def of(cls, arm: Arm, angles: str = "deg") -> DHTable:
         """The table of an arm."""
-        rows = tuple(_row(link, float(home), angles) for link, home in zip(arm.links, arm.home))
+        homes = dict(zip(arm.rows, arm.home.tolist()))
+        rows = tuple(_row(link, homes.get(k, 0.0), angles) for k, link in enumerate(arm.links))
         return cls(rows, arm.convention, angles, line(arm.unit), (), line(arm.name),
                    End.of(arm.base), End.of(arm.tool))
 
@@ -138,7 +141,8 @@ class DHTable:
         if self.errors:
             return None
         links = [self._link(i, row) for i, row in enumerate(self.rows, start=1)]
-        home = [self.values.get(Place(i, "home"), 0.0) for i in range(1, len(links) + 1)]
+        home = [self.values.get(Place(i, "home"), link.lock or 0.0)
+                for i, link in enumerate(links, start=1) if link.kind != FIXED]
         return Arm(links, convention=self.convention, name=self.name, unit=self.unit,
                    base=self.end("base"), tool=self.end("tool"), home=home)
 
@@ -167,6 +171,9 @@ class DHTable:
             for column, text in frame.cells(self.angles).items() if frame.texts else ():
                 read = self._reading_of(column in TURNS, names)
                 _note(Place(end, column), read, text, values, errors)
+        if all(row.kind == FIXED for row in self.rows):
+            errors.setdefault(Place(1, "theta"), "expected at least one joint; make a row revolute "
+                                                 "or prismatic")
         return values, errors
 
     def _ends(self) -> list[tuple[str, End]]:
@@ -196,7 +203,7 @@ class DHTable:
         theta, d, a, alpha = (self.values[Place(i, column)] for column in PARAMETERS)
         low, high = Place(i, "low"), Place(i, "high")
         limits = (self.values[low], self.values[high]) if row.low else None
-        return Link(row.kind, theta, d, a, alpha, limits, row.name or None)
+        return Link(row.kind, theta, d, a, alpha, limits, row.name or None, row.flip)
 
     # ---- edits: each gives a new table, and refuses what makes no table at all ----
 
@@ -218,10 +225,17 @@ class DHTable:
 
     def with_kind(self, row: int, kind: str) -> DHTable:
         """The joint's type changed. Its limits and home, in another unit now, are emptied."""
-        inputs.choice("kind", kind, (REVOLUTE, PRISMATIC))
+        inputs.choice("kind", kind, KINDS)
         if self._row(row).kind == kind:
             return self
-        return self._with(row, kind=kind, low="", high="", home="")
+        flip = self._row(row).flip and kind != FIXED
+        return self._with(row, kind=kind, low="", high="", home="", flip=flip)
+
+    def with_flip(self, row: int, flip: bool) -> DHTable:
+        """The joint made to count the other way, or as z says again."""
+        if flip and self._row(row).kind == FIXED:
+            raise ValueError(f"row: expected a joint in row {row}, got a fixed row")
+        return self._with(row, flip=inputs.yes_or_no("flip", flip))
 
     def with_row(self, after: int | None = None) -> DHTable:
         """A new row of zeros below another; the last if left out."""
@@ -354,10 +368,11 @@ class DHTable:
 
 
 def _row(link: Link, home: float, angles: str) -> Row:
-    row = Row(link.kind)
+    row = Row(link.kind, flip=link.flip)
     low, high = link.limits or (None, None)
     values = {parameter: getattr(link, parameter) for parameter in PARAMETERS}
-    values |= {"low": low, "high": high, "home": home or None}
+    at_home = home == (link.lock or 0.0)
+    values |= {"low": low, "high": high, "home": None if at_home else home}
     texts = {column: "" if value is None else angle_text(value, angles) if row.is_angle(column)
              else number_text(value) for column, value in values.items()}
     return row.with_cells(texts | {"name": line(link.name or "")})
@@ -375,10 +390,9 @@ def _check_limits(i: int, row: Row, values: dict, errors: dict) -> None:
     if bool(row.low) != bool(row.high):
         column = "high" if row.low else "low"
         errors[Place(i, column)] = "expected both limits, or neither"
-    elif low is not None and high is not None and high - low < _NARROWEST:
-        errors[Place(i, "high")] = "expected an upper limit above the lower one"
-
-
+    elif low is not None and high is not None and low != high and high - low < _NARROWEST:
+        errors[Place(i, "high")] = ("expected an upper limit above the lower one, or equal to it: "
+                                    "that locks the joint")
 
 
 def _position(name: str, value: Any, last: int) -> int:

@@ -128,7 +128,7 @@ class ArmView(JointView):
 
 def joints_text(arm: Arm, values: Sequence[float]) -> str:
     """Joint values in degrees and lengths, as text with their units."""
-    units = ["deg" if link.kind == REVOLUTE else arm.unit for link in arm.links]
+    units = ["deg" if link.kind == REVOLUTE else arm.unit for link in arm.joints]
     if set(units) == {"deg"}:
         return f"[{numbers(values)}] deg"
     return "[" + ", ".join(f"{numbers([v])} {unit}" for v, unit in zip(values, units)) + "]"
@@ -136,7 +136,7 @@ def joints_text(arm: Arm, values: Sequence[float]) -> str:
 
 def formula_of(arm: Arm, latex: str) -> str:
     """A matrix of the arm as MathML whose factors name their joints."""
-    slides = [i for i, link in enumerate(arm.links, start=1) if link.kind != REVOLUTE]
+    slides = [i for i, link in enumerate(arm.joints, start=1) if link.kind != REVOLUTE]
     return mathml.named(latex, arm.n, slides)
 
 

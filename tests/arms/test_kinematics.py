@@ -40,7 +40,7 @@ def test_a_batch_is_many_single_poses(arm_and_q):
     arm, q = arm_and_q
     shape, n = q.shape[:-1], arm.n
     frames, pose, J = kl.link_frames(arm, q), kl.forward_kinematics(arm, q), kl.jacobian(arm, q)
-    assert frames.shape == (*shape, n + 1, 4, 4)
+    assert frames.shape == (*shape, len(arm.links) + 1, 4, 4)
     assert pose.shape == (*shape, 4, 4) and J.shape == (*shape, 6, n)
     for index in np.ndindex(shape):
         close(frames[index], kl.link_frames(arm, q[index]), atol=1e-11)

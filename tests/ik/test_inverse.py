@@ -1,4 +1,5 @@
 """Inverse kinematics: what is called a success is one, and a failure says why."""
+from dataclasses import replace
 from math import pi
 
 import numpy as np
@@ -20,7 +21,7 @@ close = np.testing.assert_allclose
 def reachable(arm, count, seed=0):
     """Poses at random joint values within the limits, made by the textbook's matrices."""
     rng = np.random.default_rng(seed)
-    q = np.stack([rng.uniform(*(link.limits or (-pi, pi)), count) for link in arm.links], axis=1)
+    q = np.stack([rng.uniform(*(link.limits or (-pi, pi)), count) for link in arm.joints], axis=1)
     return np.array([frames(arm, row)[-1] for row in q]), q
 
 
@@ -39,7 +40,7 @@ def is_at(arm, q, target, tolerance=1e-6):
 
 def within(arm, q):
     return all(link.limits is None or link.limits[0] <= x <= link.limits[1]
-               for link, x in zip(arm.links, q))
+               for link, x in zip(arm.joints, q))
 
 
 @course
@@ -220,9 +221,7 @@ def test_singular_poses_as_targets_and_starts(robot):
 
 def free(arm):
     """The arm without limits."""
-    links = [(kl.revolute if link.kind == "revolute" else kl.prismatic)(
-        theta=link.theta, d=link.d, a=link.a, alpha=link.alpha) for link in arm.links]
-    return kl.Arm(links, convention=arm.convention, base=arm.base, tool=arm.tool)
+    return replace(arm, links=tuple(replace(link, limits=None) for link in arm.links))
 
 
 def test_targets_on_the_boundary_are_reached():
