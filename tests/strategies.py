@@ -28,10 +28,10 @@ def poses(draw, angle=angles, length=lengths):
 
 
 @st.composite
-def links(draw, angle=angles, length=lengths):
+def joints(draw, angle=angles, length=lengths, flips=False):
     make = draw(st.sampled_from([kl.revolute, kl.prismatic]))
     return make(theta=draw(angle), d=draw(length), a=draw(length), alpha=draw(angle),
-                flip=draw(st.booleans()))
+                flip=flips and draw(st.booleans()))
 
 
 @st.composite
@@ -42,17 +42,17 @@ def fixed_rows(draw, angle=angles, length=lengths):
 @st.composite
 def tables(draw, angle=angles, length=lengths, most=7):
     """Rows with 1 to `most` joints, sometimes fixed ones before, between and behind them."""
-    rows = draw(st.lists(links(angle, length), min_size=1, max_size=most))
+    rows = draw(st.lists(joints(angle, length, True), min_size=1, max_size=most))
     for row in draw(st.lists(fixed_rows(angle, length), max_size=2)):
         rows.insert(draw(st.integers(0, len(rows))), row)
     return rows
 
 
 @st.composite
-def arms(draw, angle=angles, length=lengths, most=7, ends=poses):
-    """Arms of 1 to 7 joints and up to two fixed rows in both conventions, some with a base and a tool."""
+def arms(draw, angle=angles, length=lengths, most=7, ends=poses, rows=None):
+    """Arms of 1 to 7 joints in both conventions, some with fixed rows, a base and a tool."""
     end = st.none() if ends is None else st.none() | ends()
-    return kl.Arm(draw(tables(angle, length, most)),
+    return kl.Arm(draw(tables(angle, length, most) if rows is None else rows),
                   convention=draw(st.sampled_from(["standard", "modified"])),
                   base=draw(end), tool=draw(end))
 

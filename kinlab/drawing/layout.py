@@ -45,8 +45,9 @@ class Layout:
         return self.arm.joints[i].kind == PRISMATIC
 
     def range(self, i: int) -> tuple[float, float]:
-        """Lowest and highest value of joint i (from 0)."""
-        return joint_range(self.arm, i)
+        """How far joint i (from 0) goes about or along its axis, from the least to the most."""
+        low, high = joint_range(self.arm, i)
+        return (-high, -low) if self.arm.joints[i].flip else (low, high)
 
     def body(self) -> int:
         """A new number for things that stay together."""

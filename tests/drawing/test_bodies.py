@@ -120,10 +120,11 @@ def test_a_drum_lies_on_its_axis_and_turns_with_its_joint(arm, share):
         axis, origin = frames[k][:3, 2], frames[k][:3, 3]
         close(np.cross(room[:2] - origin, axis), 0, atol=1e-9)
         assert np.linalg.norm(room[1] - room[0]) > scene.fit.thick
-        if arm.links[i - 1].kind == "revolute":
+        joint = arm.joints[i - 1]
+        if joint.kind == "revolute":
             number, more = item.points[0][0], q + 0.4 * np.eye(arm.n)[i - 1]
             before, after = (scene.frames(at)[number][:3, :3] for at in (q, more))
-            close(after, textbook.turn(axis, 0.4) @ before, atol=1e-9)
+            close(after, textbook.turn(axis, -0.4 if joint.flip else 0.4) @ before, atol=1e-9)
 
 
 @few

@@ -153,7 +153,8 @@ def replayed(motions, q):
     """Frames from the plain data alone: matrices multiplied one after the other."""
     T = [np.eye(4)]
     for motion in motions:
-        value = motion.get("amount", 0) + (q[motion["joint"]] if "joint" in motion else 0)
+        gone = motion.get("gain", 1) * q[motion["joint"]] if "joint" in motion else 0
+        value = motion.get("amount", 0) + gone
         along = np.eye(3)[motion["axis"]]
         step = textbook.rigid(o=value * along) if motion["kind"] == "translate" else textbook.rigid(
             textbook.turn(along, value))

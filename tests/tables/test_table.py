@@ -9,7 +9,7 @@ import pytest
 from edits import BAD, GOOD, START, after, edits, tables, typed
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from strategies import arms, arms_and_q
+from strategies import arms, arms_and_q, joints
 
 import kinlab as kl
 from kinlab.arms.printed import sign_rows
@@ -153,7 +153,7 @@ def test_the_code_is_what_python_runs(robot):
     assert same_arm(space["arm"], robot())
 
 
-@given(arms())
+@given(arms(rows=st.lists(joints(), min_size=1, max_size=7)))
 def test_files_bring_base_and_tool_back(arm):
     table = DHTable.of(arm)
     if not table.errors:

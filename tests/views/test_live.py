@@ -39,7 +39,7 @@ def test_a_view_starts_at_home(robot):
 def test_joint_values_go_in_and_come_out(arm_and_q):
     arm, q = arm_and_q
     low, high = np.array([(-pi, pi) if link.kind == "revolute" else (0, np.inf)
-                          for link in arm.links]).T
+                          for link in arm.joints]).T
     view = kl.ArmView(arm)
     view.q = q
     reach = [slider.max for slider in view.joints]
@@ -47,7 +47,7 @@ def test_joint_values_go_in_and_come_out(arm_and_q):
     close(view.q, np.clip(q, low, high), atol=1e-9)
     close(view.T, textbook.frames(arm, view.q)[-1], atol=1e-9)
     values = [slider.value for slider in view.joints]
-    units = [degrees(1) if link.kind == "revolute" else 1 for link in arm.links]
+    units = [degrees(1) if link.kind == "revolute" else 1 for link in arm.joints]
     close(values, view.q * units, atol=1e-9)
 
 
