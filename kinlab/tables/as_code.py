@@ -8,13 +8,13 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
 
 from ..arms import inputs
-from ..arms.link import PARAMETERS, PRISMATIC, REVOLUTE
-from .as_csv import LONGEST_FILE
+from ..arms.link import FIXED, KINDS, PARAMETERS
 from .cells import angle_text, is_plain, line, number_text
 from .ends import ENDS, End
 from .numbers import parse_number
 from .table import LIMITS, MOST_LENGTHS, MOST_ROWS, DHTable, Place, Row
 
+LONGEST_FILE = 100_000
 _MATH = ("cos", "pi", "radians", "sin", "sqrt")
 _LIBRARIES = ("math", "np", "numpy")
 _SHAPE = "code such as kl.Arm([kl.revolute(d=215, alpha=radians(-90))], unit='mm')"
@@ -68,6 +68,8 @@ def _arguments(table: DHTable, i: int, row: Row) -> Iterator[str]:
         yield f"limits=({_cell(table, i, row, 'low')}, {_cell(table, i, row, 'high')})"
     if row.name:
         yield f"name={_quoted(row.name)}"
+    if row.flip:
+        yield "flip=True"
 
 
 def _ends(table: DHTable) -> Iterator[str]:
@@ -79,14 +81,22 @@ def _ends(table: DHTable) -> Iterator[str]:
         if getattr(table, end) and (T := table.end(end)) is not None:
             rows = (", ".join(map(number_text, row)) for row in T.tolist())
             yield f"{end}=[[{'], ['.join(rows)}]]"
-    if any(table.values.get(Place(i, "home")) for i in range(1, len(table.rows) + 1)):
-        homes = (_cell(table, i, row, "home") if row.home else "0"
-                 for i, row in enumerate(table.rows, start=1))
+    joints = [(i, row) for i, row in enumerate(table.rows, start=1) if row.variable]
+    if any(row.home for _, row in joints):
+        homes = (_cell(table, i, row, "home" if row.home else _resting(row)) for i, row in joints)
         yield f"home=[{', '.join(homes)}]"
 
 
+def _resting(row: Row) -> str:
+    """The column that says where a joint without a home rests: a locked one at its limits."""
+    return "low" if row.low == row.high else ""
+
+
 def _cell(table: DHTable, i: int, row: Row, column: str) -> str:
-    text, place = getattr(row, column), Place(i, column)
+    """The number of a cell; 0 where there is none."""
+    text, place = getattr(row, column, ""), Place(i, column)
+    if not text:
+        return "0"
     return (_angle if row.is_angle(column) else _length)(text, table, place)
 
 
@@ -127,11 +137,11 @@ def _quoted(text: str) -> str:
 # ---- reading -------------------------------------------------------------------------------------
 
 
-def from_code(text: str) -> DHTable:
-    """The table of an arm written as code. The code is read, never run.
+def from_code(text: str, angles: str = "deg") -> DHTable:
+    """The table, its angles in degrees or radians, of an arm written as code, which is never run.
 
-    ``kl.Arm``, ``kl.revolute`` and ``kl.prismatic`` with numbers, pi, radians, named lengths, and
-    assignments of such to names are understood; the last arm in the text counts.
+    ``kl.Arm``, ``kl.revolute``, ``kl.prismatic`` and ``kl.fixed`` with numbers, pi, radians, named
+    lengths, and assignments of such to names are understood; the last arm in the text counts.
 
     Raises
     ------
@@ -149,7 +159,7 @@ def from_code(text: str) -> DHTable:
                          f"got {inputs.brief(text)}")
     try:
         with warnings.catch_warnings(action="ignore"):  # Python's own remarks on odd escapes
-            return _Reader().read(ast.parse(text.replace("\0", " ")))
+            return _Reader(angles).read(ast.parse(text.replace("\0", " ")))
     except (SyntaxError, UnicodeError, MemoryError, RecursionError) as error:
         number = getattr(error, "lineno", None)
         where = f"line {number} is" if number else "this is"
@@ -160,6 +170,7 @@ def from_code(text: str) -> DHTable:
 class _Reader:
     """What the names of the text stand for, as far as it is read."""
 
+    angles: str
     lists: dict[str, ast.expr] = field(default_factory=dict)
     numbers: dict[str, float] = field(default_factory=dict)
     texts: dict[str, str] = field(default_factory=dict)
@@ -198,7 +209,7 @@ class _Reader:
         rows = self.items(links[0])
         if not 1 <= len(rows) <= MOST_ROWS:
             raise ValueError(f"text: expected 1 to {MOST_ROWS} joints, got {len(rows)}")
-        table = DHTable(tuple(map(self.row, rows)))
+        table = DHTable(tuple(map(self.row, rows)), angles=self.angles)
         for word, value in given.items():
             table = self.told(table, word, value)
         used = {name for row in table.rows for column in ("d", "a", *LIMITS)
@@ -221,14 +232,22 @@ class _Reader:
                 numbers = [self.number(entry) for row in self.items(value)
                            for entry in self.items(row)]
                 return table.with_frame(word, End.read(word, numbers))
-            case "home", _ if len(homes := self.items(value)) == len(table.rows):
-                texts = [self.cell(row, "home", home) for row, home in zip(table.rows, homes)]
-                return replace(table, rows=tuple(replace(row, home="" if text == "0" else text)
-                                                 for row, text in zip(table.rows, texts)))
+            case "home", _:
+                return replace(table, rows=self.at_home(table.rows, value))
         raise _refused(value)
 
+    def at_home(self, rows: tuple[Row, ...], value: ast.expr) -> tuple[Row, ...]:
+        """The rows with their joints' values at home; nothing where a joint rests there anyway."""
+        homes = self.items(value)
+        if len(homes) != sum(row.variable is not None for row in rows):
+            raise _refused(value)
+        left = iter(homes)
+        texts = (self.cell(row, "home", next(left)) if row.variable else "" for row in rows)
+        return tuple(replace(row, home="" if text == (getattr(row, _resting(row), "") or "0")
+                             else text) for row, text in zip(rows, texts))
+
     def row(self, node: ast.expr) -> Row:
-        if not isinstance(node, ast.Call) or _called(node) not in (REVOLUTE, PRISMATIC):
+        if not isinstance(node, ast.Call) or _called(node) not in KINDS:
             raise _refused(node)
         row = Row(_called(node))
         for value in node.args:
@@ -245,20 +264,22 @@ class _Reader:
                 return replace(row, name=line(name))
             case "name" | "limits", ast.Constant(value=None):
                 return row
+            case "flip", ast.Constant(value=bool(flip)) if row.kind != FIXED:
+                return replace(row, flip=flip)
             case "limits", _ if len(ends := self.items(value)) == 2:
                 return replace(row, low=self.cell(row, "low", ends[0]),
                                high=self.cell(row, "high", ends[1]))
         raise _refused(value)
 
     def cell(self, row: Row, column: str, node: ast.expr) -> str:
-        """The text of a cell of a table in degrees; worked out where a cell cannot say it."""
+        """The text of a cell; worked out where a cell cannot say it."""
         text, number = self.text(node), self.number(node)
         if not row.is_angle(column):
             return number_text(number) if re.search(r"\b(deg|rad)\b", text) else text
-        if is_plain(bare := text.removesuffix(" deg")) and bare != text:
+        if is_plain(bare := text.removesuffix(" deg")) and bare != text and self.angles == "deg":
             return bare
         keep = "pi" in text and not _names(text) & self.numbers.keys()
-        return text if keep else angle_text(number, "deg")
+        return text if keep else angle_text(number, self.angles)
 
     def number(self, node: ast.expr) -> float:
         try:
@@ -280,7 +301,8 @@ class _Reader:
 
     def text(self, node: ast.expr) -> str:
         """A number's expression as the text of a cell."""
-        return ast.unparse(_Plain().visit(node)).replace(" * deg", " deg")
+        text = ast.unparse(_Plain().visit(node)).replace(" * deg", " deg")
+        return text.replace(" * ", "*").replace(" / ", "/")
 
 
 class _Plain(ast.NodeTransformer):

@@ -12,12 +12,13 @@ from fractions import Fraction
 from typing import Any
 
 from ..arms import inputs
-from ..arms.rounded import pi_text
-from .numbers import LONGEST, read_number
+from ..arms.rounded import pi_text, plain_angle
+from .numbers import LONGEST, read_number, scales_with_pi
 
 ANGLES = {"deg": math.pi / 180, "rad": 1.0}
 MILLIMETRES = {"mm": Decimal(1), "cm": Decimal(10), "m": Decimal(1000), "in": Decimal("25.4")}
 LARGEST_ANGLE = 1e4  # rad, some 1,600 turns
+LARGEST_RADIANS = 6.3  # of a plain number in a table in radians, some one turn; more is unlikely
 SMALLEST_LENGTH, LARGEST_LENGTH = 1e-9, 1e9
 _PLAIN = re.compile(r"[-+]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]{1,3})?")
 _PI = re.compile(r"π|\bpi\b")
@@ -57,6 +58,22 @@ def read_length(text: str, names: Mapping[str, float] | None = None) -> float:
         raise ValueError(f"{inputs.brief(text)}: expected a length from {SMALLEST_LENGTH:g} to "
                          f"{LARGEST_LENGTH:g}, or 0; look for a slip in the exponent")
     return length
+
+
+def angle_hint(text: str, unit: str) -> str:
+    """What an angle without a unit may have been meant to be, in a table in the other unit; or "".
+
+    Examples
+    --------
+    >>> angle_hint("-1.5708", "deg"), angle_hint("90", "rad"), angle_hint("45", "deg")
+    ('did you mean -pi/2?', 'did you mean 90 deg?', '')
+    """
+    if not is_plain(text) or not abs(value := float(text)) <= LARGEST_ANGLE:
+        return ""
+    if unit == "rad":
+        return f"did you mean {text} deg?" if abs(value) > LARGEST_RADIANS else ""
+    part = plain_angle(value) if "." in text else None
+    return f"did you mean {pi_text(part)}?" if part else ""
 
 
 def is_plain(text: str) -> bool:
@@ -147,7 +164,12 @@ def length_in(text: str, old: str, new: str, names: Mapping[str, float],
 
 def _angle(text: str, unit: str) -> float:
     value, has_unit = read_number(text)
-    return value if has_unit or _PI.search(text) else value * ANGLES[unit]
+    if has_unit or not _PI.search(text):
+        return value if has_unit else value * ANGLES[unit]
+    if unit == "deg" and not scales_with_pi(text):
+        raise ValueError(f"{inputs.brief(text)}: pi is in radians and other numbers are in "
+                         "degrees; give the others their unit, or write pi as 180")
+    return value
 
 
 def _part_of_pi(angle: float) -> str:

@@ -23,7 +23,8 @@ _SIGNS: dict[type[ast.unaryop], Callable[[float], float]] = {
     ast.UAdd: operator.pos, ast.USub: operator.neg}
 # What keyboards, word processors and other programs write for the same signs.
 _SPELLINGS = {"°": " deg ", "º": " deg ", "π": " pi ", "−": "-", "–": "-", "×": "*", "·": "*",
-              "^": "**"}
+              "^": "**", "θ": "theta", "ϑ": "theta"}
+_JOINT = re.compile(r"(?:q|theta)_?[0-9]{0,3}")
 _TOKEN = re.compile(r"\s*(?:(?P<number>(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?)"
                     r"|(?P<name>[A-Za-z_][A-Za-z_0-9]*)|(?P<sign>\*\*|[-+*/()]))")
 
@@ -78,6 +79,23 @@ def read_number(text: str, names: Mapping[str, float] | None = None) -> tuple[fl
         raise ValueError(f"{inputs.brief(text)}: expected a number such as -90 deg, pi/2 or 177.8; "
                          f"{reason or error}") from None
     return value + 0.0, angle  # no -0.0
+
+
+def scales_with_pi(text: str) -> bool:
+    """Whether a formula that can be read is a multiple of pi, so that all of it is in radians.
+
+    Examples
+    --------
+    >>> scales_with_pi("-3*pi/2"), scales_with_pi("pi/2 + 90")
+    (True, False)
+    """
+    known = _known({})
+    formula = ast.parse(_spelled(text, known), mode="eval").body
+    try:
+        once, twice = (_value(formula, {**known, "pi": turn})[0] for turn in (math.pi, 2 * math.pi))
+    except _UNREADABLE:
+        return False
+    return math.isclose(twice, 2 * once, rel_tol=1e-12, abs_tol=1e-12)
 
 
 def name_refused(name: Any) -> str:
@@ -138,12 +156,18 @@ def _read(token: str, kind: str, before: str, known: Mapping[str, float]) -> str
         _refuse_if(math.isinf(float(token)), "it is too large")
         return repr(float(token))  # also 007, which Python's grammar refuses
     if kind == "name":
-        _refuse_if(token not in known | _FUNCTIONS.keys(),
-                   f"{inputs.brief(token)} is not known; known are {', '.join(known)}")
+        _refuse_if(token not in known | _FUNCTIONS.keys(), _unknown(token, known))
         _refuse_if(token in _UNITS and not ended, f"put a number before {token}")
     _refuse_if(ended and token not in _UNITS and (kind == "name" or token == "(")
                and before not in _FUNCTIONS, f"put an operator before {token}")
     return f"* {token}" if token in _UNITS else token
+
+
+def _unknown(name: str, known: Mapping[str, float]) -> str:
+    if _JOINT.fullmatch(name):
+        return (f"leave {name} out: each row has a joint variable of its own, "
+                "and its cell holds only the offset")
+    return f"{inputs.brief(name)} is not known; known are {', '.join(known)}"
 
 
 def _value(node: ast.AST, known: Mapping[str, float]) -> tuple[float, bool]:

@@ -15,6 +15,7 @@ from ..arms.link import FIXED, KINDS, PARAMETERS, REVOLUTE, Link, variable_of
 from .cells import (
     ANGLES,
     MILLIMETRES,
+    angle_hint,
     angle_in,
     angle_text,
     length_in,
@@ -25,10 +26,11 @@ from .cells import (
 )
 from .ends import ENDS, FORMS, POSE, ROW, TURNS, End
 from .numbers import name_refused
+from .variables import variable
 
 LIMITS = ("low", "high", "home")
 COLUMNS = PARAMETERS + LIMITS
-MOST_ROWS = MOST_LENGTHS = 20
+MOST_ROWS = MOST_LENGTHS = 60
 _NARROWEST = 1e-6  # rad or length, between the limits of a joint
 _keys = count()
 
@@ -95,6 +97,8 @@ class DHTable:
         The frames at both ends: typed, or a matrix that is carried along unchanged.
     errors : dict
         The reason, in one line, for each place that cannot be read.
+    hints : dict
+        For each angle that can be read, but was hardly meant so, what may have been meant.
     arm : Arm or None
         The arm that the table describes, if it can be read.
 
@@ -135,6 +139,12 @@ class DHTable:
     def values(self) -> dict[Place, float]:
         """What each place says, where it can be read: radians and lengths."""
         return self._reading[0]
+
+    @property
+    def hints(self) -> dict[Place, str]:
+        return {Place(i, column): hint for i, row in enumerate(self.rows, start=1)
+                for column in COLUMNS
+                if row.is_angle(column) and (hint := angle_hint(getattr(row, column), self.angles))}
 
     @cached_property
     def arm(self) -> Arm | None:
@@ -211,12 +221,17 @@ class DHTable:
         """The text of a cell changed, to anything.
 
         "base" or "tool" for a row types into that frame; its columns are x, y, z, roll, pitch,
-        yaw, or those of a DH row.
+        yaw, or those of a DH row. The joint's own variable, q2 or θ2* in row 2, is left out: its
+        cell holds the offset. A minus before it makes the joint count the other way.
         """
         if isinstance(row, str):
             return self._with_end_cell(row, column, text)
         inputs.choice("column", column, COLUMNS)
-        return self._with(row, **{column: line(text)})
+        text = line(text)
+        its = variable(text, column) if column == self._row(row).variable else None
+        if its is None or text in dict(self.lengths) or its.number != self._joint(row):
+            return self._with(row, **{column: text})
+        return self._with(row, **{column: its.offset, "flip": its.flip})
 
     def _with_end_cell(self, end: str, column: str, text: str) -> DHTable:
         frame = self._end(end) or End.empty(ROW if column in FORMS[ROW] else POSE)
@@ -336,6 +351,10 @@ class DHTable:
     def _with(self, row: int, **changes: Any) -> DHTable:
         changed = replace(self._row(row), **changes)
         return replace(self, rows=(*self.rows[:row - 1], changed, *self.rows[row:]))
+
+    def _joint(self, row: int) -> int:
+        """The number of a row's joint."""
+        return sum(one.variable is not None for one in self.rows[:row])
 
     def _row(self, row: int) -> Row:
         return self.rows[_position("row", row, len(self.rows)) - 1]

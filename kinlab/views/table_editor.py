@@ -18,10 +18,11 @@ from ..browser import bundle
 from ..drawing import worker
 from ..drawing.arm_scene import arm_scene
 from ..drawing.controls import tool_name
-from ..tables.as_code import from_code, to_code
-from ..tables.as_csv import from_csv, to_csv
+from ..tables.as_code import to_code
+from ..tables.as_csv import to_csv
 from ..tables.cells import MILLIMETRES
 from ..tables.other_convention import other_reading
+from ..tables.read import read_table
 from ..tables.table import DHTable
 from .arm_view import ArmView, formula_of, joints_text
 from .table_panels import compared_html, lengths_text, reasons, signs_html, state, table_text
@@ -29,7 +30,6 @@ from .table_panels import compared_html, lengths_text, reasons, signs_html, stat
 EDITS = ("with_cell", "with_kind", "with_row", "without_row", "with_row_moved", "with_length",
          "without_length", "without_end", "read_as", "converted_to", "in_angles", "in_unit")
 PANELS = ("", "closed", "symbols", "signs", "compare")
-_IMPORTS = ("import ", "from ")
 MOST_STEPS = 200  # that can be undone
 LONGEST_FORMULA = 30_000  # characters of LaTeX; more takes the browser minutes
 MOST_ODD_ANGLES = 4
@@ -160,10 +160,9 @@ class DHTableEditor(ArmView):
         """The arm of the table as Python code; ValueError while a cell is wrong."""
         return to_code(self._table)
 
-    def load(self, text: str) -> None:
-        """Load a table from CSV or from kinlab code; code is read and never run."""
-        code = isinstance(text, str) and ("Arm(" in text or text.lstrip().startswith(_IMPORTS))
-        self.table = from_code(text).in_angles(self._table.angles) if code else from_csv(text)
+    def load(self, text: str, **choices: str) -> None:
+        """Load a table from text: CSV, Markdown, LaTeX, kinlab code. Nothing is run."""
+        self.table = read_table(text, self._table, **choices).table
 
     def __repr__(self) -> str:
         table = self._table

@@ -1,0 +1,138 @@
+"""What the headings of a table's columns say: which parameter, in which unit, of which row."""
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from functools import lru_cache
+
+from .spelling import plain
+
+IGNORED, LABEL, KIND, OFFSET = "", "label", "joint", "offset"
+_WORDS = {
+    "theta": "theta th thi vartheta varphi jointangle angle q phi thetaoffset gelenkwinkel winkel "
+             "drehwinkel angulo rotationangle jointrotation thetaz rotz",
+    "d": "d linkoffset jointdistance gelenkversatz versatz distance linkdistance transz tz depth "
+         "hebelarmversatz gelenkabstand",
+    "a": "a linklength length commonnormal armlength armlange gliedlange lange longitud longueur "
+         "transx tx",
+    "alpha": "alpha alfa alph linktwist twist twistangle linktwistangle verwindung "
+             "verwindungswinkel verdrehung torsion rotx",
+    "low": "low min lower lowerlimit minimum qmin thetamin minangle",
+    "high": "high max upper upperlimit maximum qmax thetamax maxangle",
+    "home": "home zero homeposition qhome",
+    "name": "name jointname linkname bezeichnung nom nombre", "flip": "flip",
+    KIND: "type jointtype kind typ sigma gelenktyp gelenkart r/p rp p/r tipo jtype",
+    OFFSET: "offset jointoffset qoffset",
+    LABEL: "i j k n # no nr num number joint joints link links frame frames axis row index gelenk "
+           "achse glied element step transform transformation articulation id jointi linki t "
+           "joint# link# jointnumber linknumber jointno linkno joint/link parent child from to "
+           "body bodies i-1 linki-1toi i-1->i",
+    "r": "r l", "s": "s b",  # a, and d, where no other column is
+}
+_MEANS = {word: column for column, words in _WORDS.items() for word in words.split()}
+_LENGTH_WORDS = {"mm": "mm", "millimeter": "mm", "millimeters": "mm", "millimetre": "mm",
+                 "millimetres": "mm", "cm": "cm", "centimeter": "cm", "centimeters": "cm",
+                 "m": "m", "meter": "m", "meters": "m", "metre": "m", "metres": "m", "in": "in",
+                 "inch": "in", "inches": "in", '"': "in"}
+_ANGLE_WORDS = {"°": "deg", "deg": "deg", "degs": "deg", "degree": "deg", "degrees": "deg",
+                "grad": "deg", "rad": "rad", "rads": "rad", "radian": "rad", "radians": "rad"}
+UNITS = _LENGTH_WORDS | _ANGLE_WORDS
+_UNIT = re.compile(r"(?:[\[(<]\s?([A-Za-z°\"]{1,12})\.?\s?[\])>]"
+                   r"|(?:[/,:]|\bin\b)\s?([A-Za-z°\"]{1,12})|\s(mm|cm|m|deg|rad|°))$")
+_PREVIOUS = re.compile(r"(?<=.)[ijkn]-1$")
+_LONGEST = 60
+
+
+@dataclass(frozen=True)
+class Heading:
+    """A column's meaning: a parameter, a word of `_WORDS`, or "" if it is not known.
+
+    Attributes
+    ----------
+    column, text : str
+        What it means, and what is written.
+    unit : str
+        The unit that it names, or "".
+    previous : bool
+        Whether its index is i-1: alpha and a of a modified table.
+    """
+
+    column: str
+    text: str = ""
+    unit: str = ""
+    previous: bool = False
+
+
+@lru_cache(maxsize=4096)  # the same words come again, in other cuts of a text and in other texts
+def heading(text: str) -> Heading:
+    """The meaning of one heading.
+
+    Examples
+    --------
+    >>> heading("α(i-1) [°]")
+    Heading(column='alpha', text='α(i-1) [°]', unit='deg', previous=True)
+    >>> heading("Link length"), heading("mass").column
+    (Heading(column='a', text='Link length', unit='', previous=False), '')
+    """
+    if len(text) > _LONGEST:
+        return Heading(IGNORED, text)
+    words, unit = _without_unit(plain(text).lower().replace("**", ""))
+    for candidate in _candidates(words):
+        bare = _bare(candidate)
+        column, previous = _meaning(bare)
+        if column is not None:
+            return Heading(column, text, unit, previous and column in ("a", "alpha", "r"))
+    return Heading(IGNORED, text, unit)
+
+
+def headings(cells: Sequence[str]) -> tuple[Heading, ...]:
+    """The meanings of a row of headings; what depends on its neighbours is decided here."""
+    heads = [heading(cell) for cell in cells]
+    for word, column in (("r", "a"), ("s", "d")):
+        heads = _decided(heads, word, column)
+    there = {head.column for head in heads}
+    if "theta" in there and "d" not in there and OFFSET in there:
+        heads = _decided(heads, OFFSET, "d")
+    elif "theta" not in there and OFFSET in there:
+        heads = _decided(heads, OFFSET, "theta")
+    return tuple(heads)
+
+
+def _decided(heads: list[Heading], word: str, column: str) -> list[Heading]:
+    """A word that may be another column's: it is that column, unless that one is there."""
+    free = all(head.column != column for head in heads)
+    return [replace(head, column=column if free else IGNORED) if head.column == word else head
+            for head in heads]
+
+
+def _without_unit(text: str) -> tuple[str, str]:
+    match = _UNIT.search(text.rstrip())
+    word = next(filter(None, match.groups()), "") if match else ""
+    if match and word in UNITS and text[:match.start()].strip():
+        return text[:match.start()].rstrip(), UNITS[word]
+    return text, ""
+
+
+def _candidates(text: str) -> list[str]:
+    """The heading itself, and its parts where a word and a symbol stand side by side."""
+    if inside := re.fullmatch(r"(.{2,40}?)\s*[(,:]\s*([^()]{1,12}?)\s*\)?", text):
+        return [text, inside[2], inside[1]] if len(inside[1].strip()) > 2 else [text, inside[1]]
+    return [text, *text.rsplit(" ", 1)[::-1]] if " " in text else [text]
+
+
+def _bare(text: str) -> str:
+    text = re.sub(r"[\s_*^{}()\[\]\\.:'´`~]", "", text)
+    return text.replace("ä", "a").replace("á", "a").replace("ó", "o").replace("é", "e")
+
+
+def _meaning(bare: str) -> tuple[str | None, bool]:
+    """The column of a bare word and whether it has the index i-1."""
+    if bare in _MEANS:
+        return _MEANS[bare], False
+    if not bare:
+        return LABEL, False
+    base = _PREVIOUS.sub("", bare)
+    if base != bare:
+        return _MEANS.get(base), True
+    return _MEANS.get(bare[:-1]) if bare[-1:] in tuple("ijkn") else None, False

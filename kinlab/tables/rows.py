@@ -1,0 +1,180 @@
+"""Rows of cells as people write them: what kind of joint each is, and what its cells hold."""
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+from ..arms import inputs
+from ..arms.link import FIXED, PARAMETERS, PRISMATIC, REVOLUTE
+from .headings import KIND, LABEL, OFFSET, Heading
+from .spelling import plain
+from .variables import Variable, variable
+
+_KIND_WORDS = {
+    REVOLUTE: "revolute r rev rotational rotary rotation rotating rotative hinge turn rotatorisch "
+              "dreh drehgelenk rotoide rotacional revoluta rotatoire rr continuous",
+    PRISMATIC: "prismatic p pris translational translation linear sliding slider slide t "
+               "translatorisch schub schubgelenk prismatica prismatique lineal",
+    FIXED: "fixed f fix none static rigid fest tool end-effector"}
+KINDS = {word: kind for kind,
+         words in _KIND_WORDS.items() for word in words.split()} | {"": REVOLUTE}
+_SIGMA = {"0": REVOLUTE, "1": PRISMATIC, "2": FIXED}
+_COUNTED = re.compile(r"(?:joint|link|axis|frame|achse|gelenk|glied|row|body|dof|theta|[a-z])?"
+                      r"[\s_.#-]{0,3}[0-9]{1,3}(?:\s?(?:-|->|→|to|,|/)?>?\s?[a-z]?_?[0-9]{1,3})?"
+                      r"|[0-9a-z]{1,3}(?:\s?(?:->|→|-|/)\s?[0-9a-z+-]{1,4})?", re.IGNORECASE)
+_NOTHING = ("", "-", "--", "/", "n/a", "na", "none", "null", "nil", ".", "...")
+
+
+@dataclass(frozen=True)
+class Cells:
+    """One row's texts by column, plain, and what is known of its joint.
+
+    `texts` hold the offset alone in the cell of the joint variable.
+    """
+
+    texts: Mapping[str, str]
+    kind: str = REVOLUTE
+    flip: bool = False
+    name: str = ""
+
+
+def columns_of(heads: Sequence[Heading]) -> dict[str, int]:
+    """Where each known column stands; the first of several labels."""
+    columns: dict[str, int] = {}
+    for k, head in enumerate(heads):
+        if head.column and head.column != LABEL and head.column in columns:
+            raise ValueError(f"text: the header has {inputs.brief(head.text)} twice; expected each "
+                             "of theta, d, a and alpha once")
+        columns.setdefault(head.column, k)
+    return columns
+
+
+def cells_of(heads: Sequence[Heading], rows: Sequence[Sequence[str]], first: int) -> list[Cells]:
+    """The rows under headings; `first` is the line of the first of them.
+
+    Raises
+    ------
+    ValueError
+        If a row has more cells than there are headings, or a kind of joint that nobody knows.
+    """
+    columns = columns_of(heads)
+    for number, row in enumerate(rows, start=first):
+        if len(row) > len(heads):
+            raise ValueError(f"text: line {number} has {len(row)} cells under {len(heads)} heads; "
+                             "put a text that has a comma into quotes")
+    padded = [[*row, *[""] * (len(heads) - len(row))] for row in rows]
+    kinds = _kinds(heads, padded, first)
+    texts = [{column: plain(row[k]) for column, k in columns.items()} for row in padded]
+    found = _found(texts, kinds)
+    labels = [plain(row[columns[LABEL]]) if LABEL in columns else "" for row in padded]
+    found = _numbered(found, labels)
+    names = _names(heads, padded)
+    return [_cells(text, kind, its, name, column)
+            for text, (kind, column, its), name in zip(texts, found, names)]
+
+
+def _cells(texts: dict[str, str], kind: str, its: Variable | None, name: str,
+           column: str) -> Cells:
+    offset = texts.pop(OFFSET, "")
+    if its:
+        texts[column] = its.offset
+    if offset not in _NOTHING and offset != "0" and column:
+        its_own = texts.get(column, "")
+        texts[column] = offset if its_own in (*_NOTHING, "0") else f"{its_own} + {offset}"
+    for parameter in PARAMETERS:
+        if texts.get(parameter, "").lower() in _NOTHING:
+            texts[parameter] = "0"
+    flip = texts.pop("flip", "") == "-" or bool(its and its.flip)
+    return Cells(texts, kind, flip, name)
+
+
+# ---- kinds of joints ----
+
+
+def _kinds(heads: Sequence[Heading], rows: Sequence[Sequence[str]],
+           first: int) -> list[str] | None:
+    """What a column says of the joints' kinds; None if no column does."""
+    for k, head in enumerate(heads):
+        words = [plain(row[k]).lower() for row in rows]
+        if head.column == KIND and set(words) <= _SIGMA.keys():
+            return [_SIGMA[word] for word in words]
+        long = any(len(word) > 2 and word in KINDS for word in words)
+        if head.column == KIND or (head.column == LABEL and any(words) and (
+                long or set(words) <= {"r", "p", "f", "t"})):
+            return [_kind(word, number) for number, word in enumerate(words, start=first)]
+    return None
+
+
+def _kind(word: str, number: int) -> str:
+    if word not in KINDS:
+        raise ValueError(f"text: line {number} has a joint {inputs.brief(word)}; "
+                         "expected revolute, prismatic or fixed")
+    return KINDS[word]
+
+
+def _found(texts: Sequence[Mapping[str, str]], kinds: Sequence[str] | None
+           ) -> list[tuple[str, str, Variable | None]]:
+    """Each row's kind, the column of its variable, and the variable if its cell shows it."""
+    pairs = [(variable(text.get("theta", ""), "theta"), variable(text.get("d", ""), "d"))
+             for text in texts]
+    if kinds is not None:
+        return [_of_kind(kind, *pair) for kind, pair in zip(kinds, pairs)]
+    turns = any(theta for theta, _ in pairs)
+    slides = all(d and d.number == k for k, (_, d) in enumerate(pairs, start=1))
+    return [_guessed(theta, d, text, turns, slides or turns)
+            for text, (theta, d) in zip(texts, pairs)]
+
+
+def _of_kind(kind: str, theta: Variable | None, d: Variable | None
+             ) -> tuple[str, str, Variable | None]:
+    if kind == FIXED:
+        return kind, "", None
+    return (kind, "theta", theta) if kind == REVOLUTE else (kind, "d", d)
+
+
+def _guessed(theta: Variable | None, d: Variable | None, text: Mapping[str, str], turns: bool,
+             slides: bool) -> tuple[str, str, Variable | None]:
+    """The kind of a row by the cell that holds a variable; d1 beside θ1 is only a length."""
+    sure = d is not None and (d.marked or text["d"].lstrip("-( ").startswith("q"))
+    if theta and not (d and sure and not theta.marked):
+        return REVOLUTE, "theta", theta
+    if d and (sure or slides):
+        return PRISMATIC, "d", d
+    return (FIXED, "", None) if turns else (REVOLUTE, "theta", None)
+
+
+def _numbered(found: list[tuple[str, str, Variable | None]], labels: Sequence[str]
+              ) -> list[tuple[str, str, Variable | None]]:
+    """The rows whose variable is another joint's lose it: their cell stays as it is."""
+    moving = [(i, its) for i, (_, column, its) in enumerate(found) if column]
+    shown = [(joint, i, its.number) for joint, (i, its) in enumerate(moving)
+             if its and its.number is not None]
+    ways = ([joint + 1 for joint, _, _ in shown], [i + 1 for _, i, _ in shown],
+            [joint for joint, _, _ in shown], [i for _, i, _ in shown])
+    numbers = [number for _, _, number in shown]
+    if numbers in ways or [str(number) for number in numbers] == [labels[i] for _, i, _ in shown]:
+        return found
+    wrong = {i for joint, i, number in shown if number != joint + 1}
+    return [(kind, column, None if i in wrong else its)
+            for i, (kind, column, its) in enumerate(found)]
+
+
+# ---- names ----
+
+
+def _names(heads: Sequence[Heading], rows: Sequence[Sequence[str]]) -> list[str]:
+    """The joints' names: a column of names, or labels that are words."""
+    for column in ("name", LABEL):
+        for k, head in enumerate(heads):
+            words = [" ".join(row[k].replace("*", "").split()) for row in rows]
+            if head.column == column and any(map(_is_name, words)):
+                return [word if column == "name" or _is_name(word) else "" for word in words]
+    return [""] * len(rows)
+
+
+def _is_name(word: str) -> bool:
+    plainly = plain(word)
+    return (len(plainly) > 1 and any(c.isalpha() for c in plainly) and len(word) <= 60
+            and not _COUNTED.fullmatch(plainly) and plainly.lower() not in KINDS)
+

@@ -1,0 +1,179 @@
+"""Where the table stands in a text: its headings, its rows, and the words around it."""
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass, replace
+
+from ..arms.link import PARAMETERS
+from .grid import Lines, grids
+from .headings import LABEL, UNITS, Heading, headings
+from .spelling import plain
+
+_MOST_COLUMNS, _MOST_HEADS, _LONGEST_HEAD, _WORDS_NEAR, _MOST_LINES = 40, 60, 60, 12, 500
+_NUMBER = re.compile(r"\s*[-+−–]?\s?[0-9.]")
+
+
+@dataclass(frozen=True)
+class Sheet:
+    """A table of texts.
+
+    Attributes
+    ----------
+    heads : tuple of Heading
+        Empty where the text has no headings.
+    rows : tuple of tuple of str
+        The cells under the headings.
+    around : tuple of tuple of str
+        The lines above and below, in cells.
+    first : int
+        The line of the first row, from 1.
+    """
+
+    heads: tuple[Heading, ...]
+    rows: tuple[tuple[str, ...], ...]
+    around: tuple[tuple[str, ...], ...] = ()
+    first: int = 1
+
+    @property
+    def is_whole(self) -> bool:
+        """Whether there are rows, and none has more cells than there are headings."""
+        return bool(self.rows) and all(len(row) <= len(self.heads) for row in self.rows)
+
+
+def find_sheet(text: str) -> Sheet | None:
+    """The table in a text, whatever parts its cells; None if there is none.
+
+    Examples
+    --------
+    >>> sheet = find_sheet("The arm:\\ntheta;d;a;alpha\\n0;215;0;-90\\n")
+    >>> [head.column for head in sheet.heads], sheet.rows, sheet.around
+    (['theta', 'd', 'a', 'alpha'], (('0', '215', '0', '-90'),), (('The arm:',),))
+    """
+    found = list(_until_whole(map(_headed, grids(text))))
+    found = found or list(_until_whole(_headed(_turned(lines)) for lines in grids(text)))
+    whole = [sheet for sheet in found if sheet.is_whole]
+    return next(iter([*whole, *found]), None) or next(filter(None, map(_bare, grids(text))), None)
+
+
+def _until_whole(sheets: Iterable[Sheet | None]) -> Iterator[Sheet]:
+    """The tables up to the first that is whole."""
+    for sheet in filter(None, sheets):
+        yield sheet
+        if sheet.is_whole:
+            return
+
+
+def _headed(lines: Lines) -> Sheet | None:
+    """The table under the first line with the most headings."""
+    k, heads = _best_heads(lines)
+    if not heads:
+        return None
+    while heads and not heads[-1].text.strip():
+        heads = heads[:-1]
+    first = k + 1
+    if first < len(lines) and (units := _units(lines[first], len(heads))):
+        heads, first = _with_units(heads, units), first + 1
+    rows, end = _rows(lines, first, len(heads))
+    around = lines[max(0, k - _WORDS_NEAR):k] + lines[end:end + _WORDS_NEAR]
+    return _with_index(Sheet(heads, rows, tuple(tuple(line) for line in around if any(line)),
+                             first + 1))
+
+
+def _best_heads(lines: Lines) -> tuple[int, tuple[Heading, ...]]:
+    """The first line with the most headings among the first that may be such, or no headings."""
+    words = [(k, cells) for k, cells in enumerate(lines) if _may_be_heads(cells)]
+    best: tuple[int, tuple[Heading, ...]] = (0, ())
+    for k, cells in words[:_MOST_HEADS]:
+        heads = headings(cells)
+        if _are_heads(heads) and _parameters(heads) > _parameters(best[1]):
+            best = k, heads
+        if _parameters(best[1]) == len(PARAMETERS):
+            break
+    return best
+
+
+def _may_be_heads(cells: Sequence[str]) -> bool:
+    """Whether a line may hold headings: some short cells, of which few are numbers."""
+    return 2 <= len(cells) <= _MOST_COLUMNS and 2 * sum(
+        len(cell) > _LONGEST_HEAD or bool(_NUMBER.match(cell)) for cell in cells) < len(cells)
+
+
+def _are_heads(heads: Sequence[Heading]) -> bool:
+    """Whether there are two parameters, one of them an angle, and no crowd of other words."""
+    known = sum(bool(head.column) for head in heads)
+    return (_parameters(heads) > 1 and 2 * known > len(heads)
+            and any(head.column in ("theta", "alpha") for head in heads))
+
+
+def _parameters(heads: Sequence[Heading]) -> int:
+    return len({head.column for head in heads} & set(PARAMETERS))
+
+
+def _units(cells: Sequence[str], most: int) -> list[str]:
+    """The units in a line that holds nothing else, a column each; [] if it is no such line."""
+    if len(cells) > most:
+        return []
+    words = [plain(cell).lower().strip("[]()<> ") for cell in cells]
+    known = [UNITS.get(word, "") for word in words]
+    return known if any(known) and all(map(_is_unit_or_nothing, words)) else []
+
+
+def _is_unit_or_nothing(word: str) -> bool:
+    return word in UNITS or word in ("", "-", "--", "1")
+
+
+def _with_units(heads: Sequence[Heading], units: Sequence[str]) -> tuple[Heading, ...]:
+    return tuple(replace(head, unit=head.unit or unit)
+                 for head, unit in zip(heads, [*units, *[""] * len(heads)]))
+
+
+def _rows(lines: Lines, first: int, columns: int) -> tuple[tuple[tuple[str, ...], ...], int]:
+    """The rows from a line on, and the line where they end: at words, or at other headings."""
+    rows: list[tuple[str, ...]] = []
+    for k, line in enumerate(lines[first:first + _MOST_LINES], start=first):
+        cells = list(line)
+        while len(cells) > columns and not cells[-1].strip():
+            cells.pop()
+        if len(cells) < 2 and rows and not any(cells) and _is_blank(lines[k + 1:k + 2]):
+            return tuple(rows), k
+        if len(cells) < min(2, columns) and any(cells):
+            if not _NUMBER.match(cells[0]):
+                return tuple(rows), k
+        elif _may_be_heads(cells) and _parameters(headings(cells)) > 2:
+            return tuple(rows), k
+        if any(cells):
+            rows.append(tuple(cells))
+    return tuple(rows), len(lines)
+
+
+def _is_blank(lines: Lines) -> bool:
+    return bool(lines) and not any(lines[0])
+
+
+def _with_index(sheet: Sheet) -> Sheet:
+    """With a heading for a first column of numbers that has none."""
+    firsts = [plain(row[0]) for row in sheet.rows if len(row) == len(sheet.heads) + 1]
+    counted = len(firsts) == len(sheet.rows) > 1 and all(
+        word == str(k + int(firsts[0] or 0)) for k, word in enumerate(firsts)
+        if firsts[0].isdecimal() and len(firsts[0]) < 4)
+    if not counted or not firsts[0].isdecimal():
+        return sheet
+    return replace(sheet, heads=(Heading(LABEL), *sheet.heads))
+
+
+def _turned(lines: Lines) -> Lines:
+    """Rows as columns: the headings may stand one under the other."""
+    rows = [line for line in lines if len(line) > 1 and any(line)][:_MOST_COLUMNS]
+    width = max(map(len, rows), default=0)
+    padded = [[*line, *[""] * (width - len(line))] for line in rows]
+    return [list(column) for column in zip(*padded)] if width <= 200 else []
+
+
+def _bare(lines: Lines) -> Sheet | None:
+    """Rows of numbers without headings: four columns, or five of which the first counts."""
+    rows = [tuple(line) for line in lines if any(line)]
+    widths = {len(row) for row in rows}
+    if len(widths) != 1 or not widths & {4, 5}:
+        return None
+    return Sheet((), tuple(rows))
