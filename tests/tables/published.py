@@ -32,11 +32,14 @@ class Published:
     flips : tuple of int
         The rows, from 1, whose joint counts the other way.
     lengths : {name: number}
-        Named lengths of the editor that the text is pasted into.
+        Named lengths of the editor that the text is pasted into, in its unit: metres.
     choices : {name: word}
         What the reader is told besides the text, since the source says it elsewhere.
     asks : bool
         Whether the reader must ask for these choices before it takes the text.
+    marked : tuple of (row, column)
+        Cells that name an angle whose value the source says elsewhere: they are kept and marked.
+        The numbers of `rows` do not count there.
     poses : tuple of (joint values, (x, y, z))
         Where the tool is, after the source, its drawing or the arm's known reach: joint values in
         degrees or the table's unit. A second witness of the whole table.
@@ -56,5 +59,6 @@ class Published:
     lengths: Mapping[str, float] = field(default_factory=dict)
     choices: Mapping[str, str] = field(default_factory=dict)
     asks: bool = False
+    marked: tuple[tuple[int, str], ...] = ()
     poses: tuple[tuple[tuple[float, ...], tuple[float, float, float]], ...] = ()
     within: float = 1e-9
