@@ -196,7 +196,7 @@ def rotation_about(axis: Any, angle: Any) -> np.ndarray:
     angle = inputs.angle("angle", angle)
     inputs.fit_together("axis, angle", axis.shape[:-1], np.shape(angle))
     c, s = cos_sin(angle)
-    return _rodrigues(unit, s, _versed(c, s))
+    return _rodrigues(unit, s, 1 - c)
 
 
 def quaternion(R: Any) -> Quaternion:
@@ -312,13 +312,6 @@ def _direction(vector: np.ndarray) -> np.ndarray:
     largest = np.abs(vector).max(axis=-1, keepdims=True)
     vector = vector / np.where(largest > 0, largest, 1.0)  # the tiniest numbers have no squares
     return vector / np.maximum(np.sqrt((vector**2).sum(axis=-1, keepdims=True)), 1e-300)
-
-
-def _versed(c: Any, s: Any) -> Any:
-    """1 - cos, with all its digits where the angle is small."""
-    if np.asarray(c).dtype == object:
-        return 1 - c
-    return np.where(np.asarray(c) > 0, s * s / (1 + abs(c)), 1 - c)
 
 
 def _rodrigues(vector: np.ndarray, s: Any, v: Any) -> np.ndarray:

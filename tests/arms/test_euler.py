@@ -214,6 +214,13 @@ def test_the_first_branch_is_what_went_in(roll, pitch, yaw, order):
 
 
 @in_each_order
+def test_half_turns_are_never_negative(order):
+    """The sign of a zero would choose between -180 and 180 degrees."""
+    assert kl.rpy_angles(np.eye(3), order)[1] == (pi, pi, pi)
+    assert kl.rpy_angles(-np.diag([-1.0, 1, 1]), order)[0][1] == 0
+
+
+@in_each_order
 @pytest.mark.parametrize("small", [1e-8, 1e-12, 1e-300])
 def test_small_angles_keep_their_digits(order, small):
     got = kl.rpy_angles(kl.rpy_matrix(small, -2 * small, 3 * small, order), order)[0]

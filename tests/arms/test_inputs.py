@@ -89,7 +89,9 @@ def nearest(matrix):
 @pytest.mark.filterwarnings("ignore::kinlab.arms.inputs.Note")
 def test_every_rotation_of_three_decimals_or_more_is_taken(R, decimals):
     rounded = np.round(R, decimals)
-    np.testing.assert_allclose(rotation("R", rounded), nearest(rounded), atol=2e-6)
+    taken = rotation("R", rounded)
+    np.testing.assert_allclose(taken, nearest(rounded), atol=2e-6)
+    assert (taken == rounded).all() or abs(taken.T @ taken - np.eye(3)).max() < 2e-15
     planar = np.round(kl.rotation_2d(R[0, 0]), decimals)
     np.testing.assert_allclose(rotation("R", planar), nearest(planar), atol=2e-6)
 
