@@ -501,22 +501,16 @@ dh = [0,   pi, -0.2848,   0   % Joint 1 – Actuator 1
 """, ((0, -0.2848, 0, 180), (180, -0.0118, 0, 90), (180, -0.4208, 0, 90), (180, -0.0128, 0, 90),
       (180, -0.3143, 0, 90), (180, 0, 0, 90), (180, -0.1674, 0, 180))),
     Published(
-        "Flexiv Rizon as a matrix of MATLAB, joints as numbers",
-        "https://github.com/linhongbin-ws/soft-rcm-control kinematics/model_Flexiv_DH.m "
-        "(type 1 is revolute and the method is 'DH_Modified', says the file)",
+        "arm of four joints without headings",
+        "https://github.com/freshleesh/Bumblebee dh_params.txt",
         """
-        % type   alpha   a           d       theta
-        %=====================================
-           1      0             0         0.345         0;
-           1     pi/2         0          0.065        0;
-           1    -pi/2         0          0.395        pi;
-           1    -pi/2        0.02      -0.055       pi;
-           1      pi/2       0.02        0.385       pi;
-           1      pi/2       0             0.1           pi/2;
-           1      pi/2       0.11      0.055        0;
-""", ((0, 0.345, 0, 0), (0, 0.065, 0, 90), (180, 0.395, 0, -90), (180, -0.055, 0.02, -90),
-      (180, 0.385, 0.02, 90), (90, 0.1, 0, 90), (0, 0.055, 0.11, 90)),
-        convention="modified", choices={"convention": "modified"}),
+theta1, 11.3, 0, 90
+theta2 + 90, 0, 13, 0
+theta3, 0, 13, 0
+theta4, -4, 0, 0
+""", ((0, 11.3, 0, 90), (90, 0, 13, 0), (0, 0, 13, 0), (0, -4, 0, 0)),
+        choices={"columns": "theta d a alpha"},
+        poses=(((0, 0, 0, 0), (0, 4, 37.3)),)),  # upright, the last part beside it
     Published(
         "arm of a course as a matrix of MATLAB, v for the angle",
         "https://github.com/FranciscoVPinto/Lab_G11_RMan "
