@@ -369,8 +369,21 @@ def test_base_and_tool_are_rigid(call, T):
 def test_what_a_rigid_matrix_lacks_is_named():
     assert "off by 3" in refuse("kl.Arm base", np.diag([2.0, 1, 1, 1]))
     assert "mirror image" in refuse("kl.Arm base", np.diag([1.0, 1, -1, 1]))
-    assert "last row 0 0 0 1" in refuse("kl.Arm base", bent(3, 0, 1))
-    assert "4x4" in refuse("kl.Arm tool", np.eye(3))
+    assert "last row 0 0 0 1, got [1.0, 0.0, 0.0, 1.0]; the origin is the last column" in refuse(
+        "kl.Arm base", bent(3, 0, 1))
+    assert "4x4 homogeneous matrix, as homogeneous(R, o) makes it, got shape (3, 3)" in refuse(
+        "kl.Arm tool", np.eye(3))
+
+
+def test_an_angle_before_its_axis_is_told_the_order():
+    assert refuse("kl.rotation_about axis", 1) == (
+        "axis: expected three numbers, shape (..., 3), got (); give the axis first, then the angle")
+
+
+def test_a_quaternion_of_another_length_is_told_its_length():
+    for q, length in (([0, 0, 0, 0], "0"), ([1, 2, 3, 4], "5.477"), ([0.71, 0, 0, 0.71], "1.004")):
+        assert f"got one of length {length}; give numbers whose squares add up to 1" in refuse(
+            "kl.quaternion_matrix q", q)
 
 
 @pytest.mark.parametrize("call", ["kl.inverse T", "kl.apply T", "kl.compose transforms",
