@@ -28,10 +28,12 @@ def poses(draw, angle=angles, length=lengths):
 
 
 @st.composite
-def joints(draw, angle=angles, length=lengths, flips=False):
+def joints(draw, angle=angles, length=lengths, odd=False):
+    """Revolute and prismatic rows; if `odd`, some that count the other way or are locked."""
     make = draw(st.sampled_from([kl.revolute, kl.prismatic]))
+    lock = draw(st.none() | st.floats(-1, 1)) if odd else None
     return make(theta=draw(angle), d=draw(length), a=draw(length), alpha=draw(angle),
-                flip=flips and draw(st.booleans()))
+                flip=odd and draw(st.booleans()), limits=None if lock is None else (lock, lock))
 
 
 @st.composite

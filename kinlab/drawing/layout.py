@@ -45,9 +45,10 @@ class Layout:
         return self.arm.joints[i].kind == PRISMATIC
 
     def range(self, i: int) -> tuple[float, float]:
-        """How far joint i (from 0) goes about or along its axis, from the least to the most."""
-        low, high = joint_range(self.arm, i)
-        return (-high, -low) if self.arm.joints[i].flip else (low, high)
+        """How far joint i (from 0) stands along or about its axis, at the least and at the most."""
+        motion, ends = self.motions[self.joints[i]], joint_range(self.arm, i)
+        low, high = sorted(motion.amount + motion.sign * end for end in ends)
+        return low, high
 
     def body(self) -> int:
         """A new number for things that stay together."""

@@ -29,8 +29,8 @@ X, Y, Z = 0, 1, 2
 
 
 def bent() -> kl.Arm:
-    """An arm with a base and a tool, standing on its side."""
-    links = [kl.revolute(d=0.3, a=0.1, alpha=0.7),
+    """An arm with a base and a tool, standing on its side; one row is fixed, one joint flipped."""
+    links = [kl.revolute(d=0.3, a=0.1, alpha=0.7, flip=True), kl.fixed(theta=0.2, d=-0.1),
              kl.prismatic(theta=0.4, alpha=-1.1, limits=(0, 1)), kl.revolute(theta=-0.2, a=0.5)]
     base = kl.homogeneous(kl.rotation_y(0.5), [1, 2, 3])
     return kl.Arm(links, base=base, tool=kl.homogeneous(np.eye(3), [0, 0.2, 0.1]))

@@ -110,6 +110,17 @@ def test_a_rod_reaches_what_it_carries_wherever_it_slides(limits, convention):
         assert_whole(arm, *(low + share * (high - low) for share in (0, 0.25, 0.5, 1)))
 
 
+@pytest.mark.parametrize("d", [-1, -0.5, 0.5])
+@pytest.mark.parametrize("flip", [False, True])
+def test_a_slide_counted_from_elsewhere_holds_together(d, flip):
+    for links in ([kl.prismatic(d=d, flip=flip, limits=(0, 1))],
+                  [kl.revolute(alpha=RIGHT), kl.prismatic(d=d, flip=flip, limits=(-0.2, 0.7))],
+                  [kl.prismatic(d=d, flip=flip, limits=(0, 0)), kl.revolute(a=0.3)]):
+        arm = kl.Arm(links)
+        low, high = joint_ranges(arm)
+        assert_whole(arm, *(low + share * (high - low) for share in (0, 0.5, 1)))
+
+
 @few
 @given(arms(), shares)
 def test_a_drum_lies_on_its_axis_and_turns_with_its_joint(arm, share):

@@ -38,7 +38,7 @@ def test_a_view_starts_at_home(robot):
 @given(arms_and_q())
 def test_joint_values_go_in_and_come_out(arm_and_q):
     arm, q = arm_and_q
-    low, high = np.array([(-pi, pi) if link.kind == "revolute" else (0, np.inf)
+    low, high = np.array([link.limits or ((-pi, pi) if link.kind == "revolute" else (0, np.inf))
                           for link in arm.joints]).T
     view = kl.ArmView(arm)
     view.q = q
