@@ -3,7 +3,9 @@
 // touched.
 
 import { lowered, make, write } from "./dom.js";
-import { choose, press, typed } from "./table_parts.js";
+import { LETTERS, ends, newEnds } from "./table_ends.js";
+import { ask, choose, press, typed } from "./table_parts.js";
+import { takeTables } from "./table_paste.js";
 import { fill, store } from "./table_store.js";
 
 /** @import { Cell, Field, Model, Row, TableState } from "./types.js" */
@@ -20,6 +22,7 @@ const PANELS = [["closed", "Closed form", "The arm matrix in closed form"],
                 ["signs", "Sign pattern", "Only the signs of the table's numbers"],
                 ["compare", "", "The same numbers in the other convention, side by side"]];
 const LIMITS = ["low", "high", "home"];
+const KINDS = ["revolute", "prismatic", "fixed"];
 
 /**
  * The parameter of a cell's column with its index: a modified table holds alpha and a of the link
@@ -46,6 +49,10 @@ export class Editor {
 
   next = "";                                        // the place that gets the focus
 
+  loading = "";                                     // the text that is to be loaded
+
+  from = "";                                        // the place where it was pasted
+
   building = false;
 
   /**
@@ -59,7 +66,7 @@ export class Editor {
 
   /**
    * What Python told last of each cell.
-   * @type {Record<string, Pick<Cell, "text" | "error" | "reads">>}
+   * @type {Record<string, Pick<Cell, "text" | "error" | "reads" | "hint">>}
    */
   told = {};
 
@@ -73,6 +80,7 @@ export class Editor {
     element.classList.add("kl-table");
     const here = () => { this.next = ""; };         // the student has gone elsewhere
     for (const event of ["pointerdown", "keydown"]) element.addEventListener(event, here, true);
+    takeTables(this, element);
     element.addEventListener("keydown", (event) => {
       this.key(event);
       if (!event.ctrlKey && !event.metaKey) event.stopPropagation();   // the notebook's own keys
@@ -91,14 +99,27 @@ export class Editor {
     if (!this.building) this.model.send({ do: what, with: parameters });
   }
 
+  /**
+   * Ask Python to load a table; a question that comes of it gets the focus.
+   * @param {string} text
+   */
+  load(text) {
+    this.loading = text;
+    this.from = placeOf(document.activeElement).join(" ");
+    this.next = "answer 0";
+    this.send("load", text);
+  }
+
   /** Show the state: anew where rows or columns changed, else only the cells that did. */
   show() {
     const { state } = this;
-    const hidden = state.rows.some(({ cells }) => LIMITS.some((column) => cells[column].error));
+    const hidden = state.rows.some(({ cells }) => LIMITS.some((column) => cells[column]?.error));
     this.columns = [...state.columns, ...(this.limits || hidden ? LIMITS : [])];
-    const shape = JSON.stringify([state.rows.map(({ key, kind, name }) => [key, kind, name]),
+    const shape = JSON.stringify([
+      state.rows.map(({ key, kind, name, flip, locked }) => [key, kind, name, flip, locked]),
       this.columns, state.convention, state.angles, state.unit, state.units,
-      state.lengths.map(({ name }) => name), state.ends, this.asked, this.saving]);
+      state.lengths.map(({ name }) => name), Object.values(state.ends).map((end) => end?.form),
+      state.question, this.asked, this.saving]);
     if (shape !== this.shape) this.build();
     this.shape = shape;
     this.patch();
@@ -108,14 +129,17 @@ export class Editor {
     const active = /** @type {Field | null} */ (document.activeElement);
     const within = active && this.element.contains(active) ? active : null;
     const at = this.next || within?.dataset.at;
-    const half = within?.committed === undefined || within.value === within.committed
-      ? null : within.value;
+    const half = within?.committed === undefined || within.value === within.committed ||
+      within.value === this.loading ? null : within.value;
     this.told = {};
     this.building = true;                           // a cell that goes is not a cell that is left
     this.element.replaceChildren(this.bar(), ...this.question(), this.table(), this.named(),
-                                 ...this.ends(), this.foot(), ...store(this));
+                                 ...ends(this), ...this.doubt(), this.foot(), ...store(this));
     this.building = false;
-    const found = at ? this.find(at) : null;
+    this.loading = "";
+    // Where the place has gone, such as by another table, the hands begin at the first cell.
+    const found = at ? this.find(at) ?? this.find(`${this.state.rows[0].key} ${this.columns[0]}`)
+      : null;
     if (found) {
       found.focus({ preventScroll: true });
       if (half != null && !this.next) found.value = half;
@@ -134,8 +158,13 @@ export class Editor {
   patch() {
     const { state } = this;
     state.rows.forEach((row) => this.columns.forEach((column) => {
-      this.cell(`${row.key} ${column}`, row.cells[column]);
+      if (row.cells[column]) this.cell(`${row.key} ${column}`, row.cells[column]);
     }));
+    for (const [end, told] of Object.entries(state.ends)) {
+      for (const [column, cell] of Object.entries(told?.cells ?? {})) {
+        this.cell(`${end} ${column}`, cell);
+      }
+    }
     state.lengths.forEach((length, k) => {
       this.cell(`length ${k}`, length);
       this.cell(`name ${k}`, { text: length.name, error: "" });
@@ -151,16 +180,17 @@ export class Editor {
     fill(this);
   }
 
-  /** Below each row, why its cells cannot be read. */
+  /** Below each row, why its cells cannot be read, and what is odd about them. */
   reasons() {
     for (const line of /** @type {NodeListOf<HTMLElement>} */ (
       this.element.querySelectorAll(".kl-reason"))) {
       /** @type {string[]} */
       const places = JSON.parse(line.dataset.of ?? "[]");
-      const wrong = places.filter((at) => this.told[at].error);
-      line.hidden = !wrong.length;
-      line.querySelector("[id]")?.replaceChildren(...wrong.map((at) =>
-        make("div", {}, make("b", {}, `${this.label(at)} `), this.told[at].error)));
+      const told = places.filter((at) => this.told[at].error || this.told[at].hint);
+      line.hidden = !told.length;
+      line.querySelector("[id]")?.replaceChildren(...told.map((at) =>
+        make("div", { class: this.told[at].error ? "" : "kl-hinted" },
+          make("b", {}, `${this.label(at)} `), this.told[at].error || this.told[at].hint || "")));
     }
   }
 
@@ -171,29 +201,30 @@ export class Editor {
     const wrong = count && `${cells} wrong. ` +
       "The arm below is the last one that could be read.";
     const remark = /** @type {Element} */ (this.element.querySelector(".kl-said"));
-    const text = said || wrong || "";
-    write(remark, text);
-    remark.classList.toggle("kl-warns", Boolean(text));
+    write(remark, [said, wrong].filter(Boolean).join(" "));
+    remark.classList.toggle("kl-warns", Boolean(wrong));
+    remark.classList.toggle("kl-tells", Boolean(said));
   }
 
   /**
    * A cell's text, mark and reading; its text only where Python changed it.
    * @param {string} at
-   * @param {Pick<Cell, "text" | "error" | "reads">} told
+   * @param {Pick<Cell, "text" | "error" | "reads" | "hint">} told
    */
-  cell(at, { text, error, reads }) {
+  cell(at, { text, error, reads, hint }) {
     const input = /** @type {Field} */ (this.find(at)), before = this.told[at];
-    this.told[at] = { text, error, reads };
+    this.told[at] = { text, error, reads, hint };
     if (before?.text !== text && input.committed !== text) {
       if (input.value === input.committed || input !== document.activeElement) input.value = text;
       input.committed = text;
     }
     input.setAttribute("aria-invalid", String(Boolean(error)));
-    if (error) input.setAttribute("aria-describedby", input.dataset.reason ?? "");
+    input.classList.toggle("kl-odd", Boolean(hint));
+    if (error || hint) input.setAttribute("aria-describedby", input.dataset.reason ?? "");
     else input.removeAttribute("aria-describedby");
-    input.title = error || (reads ? `${text} = ${reads}` : "");
-    const hint = input.nextElementSibling;
-    if (hint?.classList.contains("kl-reads")) hint.textContent = reads ? `= ${reads}` : "";
+    input.title = error || hint || (reads ? `${text} = ${reads}` : "");
+    const beside = input.nextElementSibling;
+    if (beside?.classList.contains("kl-reads")) beside.textContent = reads ? `= ${reads}` : "";
   }
 
   /**
@@ -201,10 +232,21 @@ export class Editor {
    * @param {string} at
    */
   label(at) {
-    const [key, column] = at.split(" "), { convention, lengths } = this.state;
+    const [key, column] = at.split(" "), { lengths } = this.state;
     if (key === "length") return `${lengths[Number(column)].name}:`;
-    const row = this.place(Number(key));
-    return `${GREEK[column] ? indexed(convention, column, row) : NAMES[column]}:`;
+    const row = this.state.rows[this.place(Number(key)) - 1];
+    if (!row) return `${key} ${LETTERS[column] ?? column}:`;
+    return `${GREEK[column] ? this.symbol(row, column) : NAMES[column]}:`;
+  }
+
+  /**
+   * The parameter of a cell: the joint variable has its joint's number, all else its row's.
+   * @param {Row} row
+   * @param {string} column
+   */
+  symbol(row, column) {
+    return column === row.variable ? `${GREEK[column]}${lowered(row.joint)}`
+      : indexed(this.state.convention, column, this.place(row.key));
   }
 
   // ---- parts ----
@@ -217,7 +259,7 @@ export class Editor {
         (value, list) => {
           list.value = state.convention;
           this.asked = value === state.convention ? "" : value;
-          this.next = "Read";
+          this.next = "answer 0";
           this.show();
         })),
       make("label", {}, "Angles ", choose("Angles", [["deg", "degrees"], ["rad", "radians"]],
@@ -242,12 +284,26 @@ export class Editor {
       this.show();
     };
     const wrong = this.state.wrong > 0;
-    return [make("div", { class: "kl-ask", role: "group", "aria-label": "Change of convention" },
-      press(`Read the same numbers as ${other}`, "Read", answer("read_as")),
-      press(`Convert to ${other}: the same arm`, "Convert", answer("converted_to"),
-            { disabled: wrong }),
-      press("Cancel", "Cancel", answer("")),
-      ...(wrong ? [make("span", {}, "To convert, correct the marked cells first.")] : []))];
+    return [ask("Change of convention",
+      wrong ? "To convert, correct the marked cells first." : "",
+      [[`Read the same numbers as ${other}`, answer("read_as")],
+       [`Convert to ${other}: the same arm`, answer("converted_to"), { disabled: wrong }]],
+      answer(""))];
+  }
+
+  /** What a pasted table leaves open. */
+  doubt() {
+    const { question } = this.state;
+    if (!question) return [];
+    return [ask(question.text, question.text,
+      question.options.map((label, k) => [label, () => {
+        this.next = "answer 0";                     // of a next question
+        this.send("answer", k);
+      }]),
+      () => {
+        this.next = this.from;
+        this.send("dismiss");
+      })];
   }
 
   table() {
@@ -271,21 +327,20 @@ export class Editor {
    */
   row(row, i) {
     const reason = `kl-reason-${this.id}-${row.key}`, last = this.state.rows.length;
-    const kinds = [["revolute", "revolute"], ["prismatic", "prismatic"]];
     const cells = this.columns.map((column) => {
-      const star = column === row.variable, letter = GREEK[column];
-      const symbol = letter ? indexed(this.state.convention, column, i) : `row ${i}`;
+      const told = row.cells[column], star = column === row.variable;
+      if (!told) return make("td");                 // a fixed row has no limits
+      const symbol = GREEK[column] ? this.symbol(row, column) : `row ${i}`;
       const meaning = star ? "offset of the joint variable" : NAMES[column];
-      const name = `${symbol}, ${meaning}, row ${i}, ${row.cells[column].unit}`;
-      const input = typed(`${row.key} ${column}`, name, row.cells[column].text,
-        (text) => this.send("with_cell", this.place(row.key), column, text));
+      const input = typed(`${row.key} ${column}`, `${symbol}, ${meaning}, row ${i}, ${told.unit}`,
+        told.text, (text) => this.send("with_cell", this.place(row.key), column, text));
       input.dataset.reason = reason;
       if (LIMITS.includes(column)) input.placeholder = column === "home" ? "0" : "none";
-      return make("td", { class: star ? "kl-starred" : "" },
-        ...(star ? [make("span", { class: "kl-star",
-                                   title: "joint variable; its offset in the cell" },
-          `${letter}${lowered(i)}*`, make("span", { class: "kl-plus" }, " +"))] : []),
-        input, make("span", { class: "kl-reads" }));
+      const room = this.state.rows.some(({ variable }) => variable === column)
+        ? [make("span", { class: "kl-room" })] : [];   // cells of a column stand in line
+      return make("td", { class: star ? "kl-starred" : "" }, ...(star ? [this.star(row)] : room),
+        input, make("span", { class: "kl-reads" }),
+        ...(column === "home" ? [this.lock(row)] : []));
     });
     const tools = make("td", { class: "kl-tools" },
       press("↑", `Move row ${i} up (Alt+↑)`, () => this.move(row.key, -1),
@@ -295,12 +350,44 @@ export class Editor {
       press("✕", `Remove row ${i} (Alt+Delete)`, () => this.remove(row.key),
             { tabindex: "-1", disabled: last === 1 }));
     return [
-      make("tr", { "data-joint": i },
-        make("th", { scope: "row", title: row.name || `joint ${i}` }, String(i)),
-        make("td", {}, choose(`Type of joint ${i}`, kinds, row.kind,
-          (kind) => this.send("with_kind", this.place(row.key), kind))), ...cells, tools),
-      this.reason("tr", this.columns.map((column) => `${row.key} ${column}`),
+      make("tr", row.variable ? { "data-joint": row.joint }
+        : { "data-frame": i, "data-holds": "" },
+        make("th", { scope: "row", title: row.name || (row.variable ? `joint ${row.joint}`
+          : "a fixed row") }, String(i)),
+        make("td", {}, choose(`Type of row ${i}`, KINDS.map((kind) => [kind, kind]), row.kind,
+          (kind) => this.send("with_kind", this.place(row.key), kind)),
+          ...(row.locked ? [make("span", { class: "kl-locked" }, "locked")] : [])),
+        ...cells, tools),
+      this.reason("tr", this.columns.filter((column) => row.cells[column])
+        .map((column) => `${row.key} ${column}`),
         make("td"), make("td", { colspan: this.columns.length + 2, id: reason, role: "alert" }))];
+  }
+
+  /**
+   * The joint variable before its offset; pressed, the joint counts the other way.
+   * @param {Row} row
+   */
+  star(row) {
+    const symbol = this.symbol(row, row.variable ?? "");
+    return make("span", { class: "kl-star" },
+      press(`${row.flip ? "−" : ""}${symbol}*`,
+        `Let joint ${row.joint} count the ${row.flip ? "usual" : "other"} way: ` +
+        `${row.flip ? "" : "−"}${symbol} (Alt+−)`,
+        () => this.send("with_flip", this.place(row.key), !row.flip),
+        { "data-at": `flip ${row.key}`, "aria-label": `${symbol} counts the other way`,
+          "aria-pressed": String(row.flip), tabindex: "-1" }),
+      make("span", { class: "kl-plus" }, " +"));
+  }
+
+  /**
+   * Lock a joint where it is now, or unlock it.
+   * @param {Row} row
+   */
+  lock(row) {
+    const [text, does, title] = row.locked ? ["Unlock", "unlock", "let it move without limits"]
+      : ["Lock", "lock", "where it is now"];
+    return press(text, `${text} joint ${row.joint}: ${title}`,
+      () => this.send(does, this.place(row.key)), { "data-at": `lock ${row.key}` });
   }
 
   /**
@@ -339,12 +426,6 @@ export class Editor {
     this.send("with_length", lengths.length + 1, free, "0");
   }
 
-  ends() {
-    return Object.entries(this.state.ends).filter(([, text]) => text).map(([end, text]) =>
-      make("div", { class: "kl-end" }, `The ${end} frame is ${text}. `,
-        press("✕", `Leave out the ${end} frame`, () => this.send("without_end", end))));
-  }
-
   foot() {
     const other = this.state.conventions.find((name) => name !== this.state.convention);
     const panels = PANELS.map(([panel, text, title]) => press(
@@ -359,9 +440,10 @@ export class Editor {
             this.send("with_row");
           }),
           press("+ Named length", "Add a length that cells may name, such as -d2",
-                () => this.more())),
+                () => this.more()),
+          ...newEnds(this)),
         make("span", { class: "kl-group" }, ...panels),
-        press("Save, load", "Save or load the table as CSV or as kinlab code", () => {
+        press("Save, load", "Save or load the table: CSV, Markdown, LaTeX, kinlab code", () => {
           this.saving = this.saving ? "" : "csv";
           this.show();
         }, { "aria-pressed": Boolean(this.saving), "aria-expanded": Boolean(this.saving) })),
@@ -405,6 +487,9 @@ export class Editor {
     const row = rows[at], step = { ArrowUp: -1, ArrowDown: 1 }[event.key];
     if (step && event.altKey) this.move(row.key, step);
     else if (event.altKey && event.key === "Delete") this.remove(row.key);
+    else if (event.altKey && event.key === "-" && row.variable) {
+      this.send("with_flip", at + 1, !row.flip);
+    }
     else if (step && !event.shiftKey) {
       const beside = rows[at + step], input = beside && this.find(`${beside.key} ${column}`);
       input?.focus();

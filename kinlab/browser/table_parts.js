@@ -58,3 +58,20 @@ export function typed(at, label, text, send) {
   });
   return input;
 }
+
+/**
+ * A question with a button for each answer, and Cancel; Escape cancels, too. It is found again by
+ * `data-at`: "answer 0" is its first answer.
+ * @param {string} label
+ * @param {string} words what is asked; may be empty where the answers say it
+ * @param {[string, () => void, Record<string, unknown>?][]} answers
+ * @param {() => void} cancel
+ */
+export function ask(label, words, answers, cancel) {
+  const buttons = answers.map(([text, act, extra], k) =>
+    press(text, text, act, { "data-at": `answer ${k}`, ...extra }));
+  const asked = make("div", { class: "kl-ask", role: "group", "aria-label": label },
+    ...(words ? [make("span", {}, words)] : []), ...buttons, press("Cancel", "Cancel", cancel));
+  asked.addEventListener("keydown", (event) => { if (event.key === "Escape") cancel(); });
+  return asked;
+}

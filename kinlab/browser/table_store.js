@@ -1,16 +1,19 @@
 // Saving and loading the DH table as text.
 
-import { make } from "./dom.js";
+import { make, write } from "./dom.js";
 import { choose, press } from "./table_parts.js";
+import { textOf } from "./table_paste.js";
 
 /** @import { Editor } from "./table.js" */
 /** @import { Field } from "./types.js" */
 
-const MOST = 60000;                                 // characters in a file
-const FORMATS = [["csv", "CSV"], ["code", "kinlab code"]];
+const FORMATS = [["csv", "CSV"], ["markdown", "Markdown"], ["latex", "LaTeX"],
+                 ["code", "kinlab code"]];
+/** @type {Record<string, string>} */
+const FILES = { csv: "csv", markdown: "md", latex: "tex", code: "py" };
 
 /**
- * A box with the table as text, to load, save and download; none while it is not asked for.
+ * A box with the table as text, to load, copy and download; none while it is not asked for.
  * @param {Editor} editor
  */
 export function store(editor) {
@@ -21,14 +24,15 @@ export function store(editor) {
   });
   const text = make("textarea", { "aria-label": "The table as text", "data-at": "text",
                                   rows: "9", spellcheck: "false" });
-  const file = make("input", { type: "file", accept: ".csv,.py,.txt",
+  const file = make("input", { type: "file", accept: ".csv,.txt,.md,.tex,.py,.html",
                                "aria-label": "Open a file" });
   file.addEventListener("change", async () => {
-    if (file.files?.length) editor.send("load", (await file.files[0].text()).slice(0, MOST));
+    if (file.files?.length) editor.load(await textOf(file.files[0]));
   });
   return [make("div", { class: "kl-store" }, text,
     make("div", { class: "kl-toolbar" }, make("label", {}, "as ", format),
-      press("Load this text", "Load the text above", () => editor.send("load", text.value)),
+      press("Load this text", "Load the text above", () => editor.load(text.value)),
+      press("Copy", "Copy the text above", () => copy(editor, text)),
       press("Download", "Download the text above as a file",
             () => download(text.value, editor.saving)),
       make("label", {}, "Open a file ", file)))];
@@ -40,12 +44,22 @@ export function store(editor) {
  */
 export function fill(editor) {
   /** @type {HTMLTextAreaElement & Field | null} */
-  const area = editor.element.querySelector("textarea"), code = editor.saving === "code";
+  const area = editor.element.querySelector("textarea"), told = editor.state.texts[editor.saving];
   if (!area) return;
   if (area.committed === undefined || area.value === area.committed) {
-    area.value = area.committed = editor.state[code ? "code" : "csv"];
+    area.value = area.committed = told;
   }
-  area.placeholder = code ? "Correct the marked cells, or paste code here." : "";
+  area.placeholder = told ? "" : "Correct the marked cells, or paste a table here.";
+}
+
+/**
+ * @param {Editor} editor
+ * @param {HTMLTextAreaElement} area
+ */
+function copy(editor, area) {
+  area.select();
+  document.execCommand("copy");                     // navigator.clipboard needs https
+  write(/** @type {Element} */ (editor.element.querySelector(".kl-said")), "Copied.");
 }
 
 /**
@@ -53,8 +67,8 @@ export function fill(editor) {
  * @param {string} saving
  */
 function download(text, saving) {
-  const name = saving === "code" ? "dh_table.py" : "dh_table.csv";
-  const link = make("a", { download: name, href: URL.createObjectURL(new Blob([text])) });
+  const link = make("a", { download: `dh_table.${FILES[saving]}`,
+                           href: URL.createObjectURL(new Blob([text])) });
   link.click();
   setTimeout(() => URL.revokeObjectURL(link.href), 1000);
 }

@@ -316,16 +316,23 @@ export interface Model {
 /** What anywidget gives to show a widget. */
 export interface Host { model: Model; el: HTMLElement }
 
-/** A cell of the table editor: what is typed, why it cannot be read, and what it reads as. */
-export interface Cell { text: string; error: string; reads?: string; unit: string }
+/** A cell of the table editor: what is typed, why it cannot be read, what it reads as, and what is
+ *  odd about it. */
+export interface Cell { text: string; error: string; reads?: string; hint?: string; unit: string }
 
 export interface Row {
   key: number;
   kind: string;
   name: string;
-  variable: string;
+  variable: string | null;
+  joint: number;
+  flip: boolean;
+  locked: boolean;
   cells: Record<string, Cell>;
 }
+
+/** The base or the tool of a table: how it is typed, and its cells. */
+export interface End { form: string; cells: Record<string, Cell> }
 
 /** What kinlab/views/table_editor.py tells of its table. */
 export interface TableState {
@@ -337,14 +344,14 @@ export interface TableState {
   unit: string;
   units: string[];
   lengths: (Cell & { name: string })[];
-  ends: Record<string, string>;
+  ends: Record<string, End | null>;
   undo: boolean;
   redo: boolean;
   open: string;
   said: string;
+  question: { text: string; options: string[] } | null;
   wrong: number;
-  csv: string;
-  code: string;
+  texts: Record<string, string>;
 }
 
 /** A field that remembers the text that Python knows. */

@@ -11,7 +11,7 @@ from ..arms import inputs
 from ..arms.link import FIXED, KINDS, PARAMETERS
 from .cells import angle_text, is_plain, line, number_text
 from .ends import ENDS, End
-from .numbers import parse_number
+from .numbers import names_in, parse_number
 from .table import LIMITS, MOST_LENGTHS, MOST_ROWS, DHTable, Place, Row
 
 LONGEST_FILE = 100_000
@@ -213,7 +213,7 @@ class _Reader:
         for word, value in given.items():
             table = self.told(table, word, value)
         used = {name for row in table.rows for column in ("d", "a", *LIMITS)
-                for name in _names(getattr(row, column))}
+                for name in names_in(getattr(row, column))}
         named = [pair for pair in self.texts.items() if pair[0] in used]
         if len(named) > MOST_LENGTHS:
             raise ValueError(f"text: expected at most {MOST_LENGTHS} named lengths")
@@ -278,7 +278,7 @@ class _Reader:
             return number_text(number) if re.search(r"\b(deg|rad)\b", text) else text
         if is_plain(bare := text.removesuffix(" deg")) and bare != text and self.angles == "deg":
             return bare
-        keep = "pi" in text and not _names(text) & self.numbers.keys()
+        keep = "pi" in text and not names_in(text) & self.numbers.keys()
         return text if keep else angle_text(number, self.angles)
 
     def number(self, node: ast.expr) -> float:
@@ -325,10 +325,6 @@ def _called(call: ast.Call) -> str:
         case ast.Name(id=name) | ast.Attribute(value=ast.Name(), attr=name):
             return name
     return ""
-
-
-def _names(text: str) -> set[str]:
-    return set(re.findall(r"[A-Za-z_][A-Za-z_0-9]*", text))
 
 
 def _line(node: ast.AST) -> str:

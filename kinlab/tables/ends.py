@@ -66,15 +66,18 @@ class End:
         ValueError
             If it is none of them, or the numbers are no rigid matrix.
         """
-        form, *texts = words or [""]
+        given = list(words)
+        while given and given[-1] == "":  # a spreadsheet adds empty cells, or leaves them out
+            given.pop()
+        form, *texts = given or [""]
         if form in FORMS and len(texts) <= (size := len(FORMS[form])):
-            return cls((*texts, *[""] * size)[:size])  # a file may leave out its last empty cells
+            return cls((*texts, *[""] * size)[:size])
         try:
-            rows = np.array([float(word) for word in words]).reshape(4, 4).tolist()
+            rows = np.array([float(word) for word in given]).reshape(4, 4).tolist()
         except (TypeError, ValueError):
             raise ValueError(f"{end}: expected 16 numbers, row by row, or pose, x, y, z, roll, "
                              "pitch, yaw, or row, theta, d, a, alpha; "
-                             f"got {inputs.brief(list(words))}") from None
+                             f"got {inputs.brief(given)}") from None
         return cls.of(inputs.rigid(end, rows))
 
     @property

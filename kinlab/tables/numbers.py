@@ -106,6 +106,17 @@ def name_refused(name: Any) -> str:
     return f"{inputs.brief(name)} cannot be a length's name; use letters and digits, such as d2"
 
 
+def names_in(text: str) -> set[str]:
+    """The names that stand in a text.
+
+    Examples
+    --------
+    >>> sorted(names_in("2*L1 + d2"))
+    ['L1', 'd2']
+    """
+    return set(re.findall(r"[A-Za-z_][A-Za-z_0-9]*", text))
+
+
 class _Refused(Exception):
     """Why the text is no number."""
 

@@ -9,6 +9,8 @@ class Ambiguous(ValueError):
 
     Attributes
     ----------
+    question : str
+        What to ask.
     options : tuple of (label, choices)
         What to call each answer, and the arguments of `read_table` that give it.
 
@@ -24,4 +26,4 @@ class Ambiguous(ValueError):
             f"load(text, {', '.join(f'{name}={value!r}' for name, value in choices.items())})"
             for _, choices in options).replace("'", '"')
         super().__init__(f"text: {question} From Python: {calls}")
-        self.options = options
+        self.question, self.options = question, options

@@ -252,6 +252,10 @@ class DHTable:
             raise ValueError(f"row: expected a joint in row {row}, got a fixed row")
         return self._with(row, flip=inputs.yes_or_no("flip", flip))
 
+    def with_limits(self, row: int, low: str, high: str) -> DHTable:
+        """Both limits of a joint changed: two equal ones lock it, two empty ones are none."""
+        return self._with(row, low=line(low), high=line(high))
+
     def with_row(self, after: int | None = None) -> DHTable:
         """A new row of zeros below another; the last if left out."""
         at = len(self.rows) if after is None else _position("row", after, len(self.rows))

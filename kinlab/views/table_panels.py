@@ -7,52 +7,68 @@ import numpy as np
 
 from ..arms import printed
 from ..arms.arm import CONVENTIONS, Arm
-from ..tables.as_csv import to_csv
+from ..arms.link import PARAMETERS
 from ..tables.cells import MILLIMETRES, angle_text, is_plain
-from ..tables.ends import ENDS
+from ..tables.ends import ENDS, TURNS, End
+from ..tables.numbers import names_in
 from ..tables.other_convention import OtherReading, frame_text
 from ..tables.table import COLUMNS, DHTable, Place, Row
 
 
 def state(table: DHTable) -> dict:
-    ends = {end: frame_text(T, table.unit) if (T := table.end(end)) is not None else ""
-            for end in ENDS}
     units = [table.unit] if table.unit not in MILLIMETRES else list(
         dict.fromkeys(["mm", "m", table.unit]))
+    joints = printed.joint_numbers(table.rows)
     return {
         "convention": table.convention, "conventions": list(CONVENTIONS), "angles": table.angles,
-        "unit": table.unit, "units": units, "ends": ends,
+        "unit": table.unit, "units": units, "ends": {end: _end(table, end) for end in ENDS},
         "columns": list(printed.HEADS[table.convention]),
-        "rows": [{"key": row.key, "kind": row.kind, "variable": row.variable, "name": row.name,
-                  "cells": {column: _cell(table, i, row, column) for column in COLUMNS}}
-                 for i, row in enumerate(table.rows, start=1)],
+        "rows": [_row(table, row, i, joint)
+                 for i, (row, joint) in enumerate(zip(table.rows, joints), start=1)],
         "lengths": [{"name": name, "text": text, "error": table.errors.get(Place(k, "length"), "")}
                     for k, (name, text) in enumerate(table.lengths, start=1)],
-        "wrong": len(table.errors), "csv": to_csv(table)}
+        "wrong": len(table.errors)}
 
 
-def _cell(table: DHTable, i: int, row: Row, column: str) -> dict:
-    text, place = getattr(row, column), Place(i, column)
-    value, angle = table.values.get(place), row.is_angle(column)
+def _row(table: DHTable, row: Row, i: int, joint: int) -> dict:
+    low, high = (table.values.get(Place(i, column)) for column in ("low", "high"))
+    columns = COLUMNS if row.variable else PARAMETERS
+    return {"key": row.key, "kind": row.kind, "variable": row.variable, "name": row.name,
+            "joint": joint, "flip": row.flip, "locked": low is not None and low == high,
+            "cells": {column: _cell(table, Place(i, column), getattr(row, column),
+                                    row.is_angle(column)) for column in columns}}
+
+
+def _end(table: DHTable, end: str) -> dict | None:
+    """The base or the tool: how it is typed, and its cells."""
+    frame: End | None = getattr(table, end)
+    if frame is None:
+        return None
+    return {"form": frame.form, "cells": {
+        column: _cell(table, Place(end, column), text, column in TURNS)
+        for column, text in frame.cells(table.angles).items()}}
+
+
+def _cell(table: DHTable, place: Place, text: str, angle: bool) -> dict:
+    value = table.values.get(place)
     said = is_plain(text) and not (angle and table.angles == "rad" and value)
     reads = ""
     if value is not None and text and not said:
         reads = f"{float(angle_text(value, 'deg')):.5g}°" if angle else f"{value:.5g}"
     return {"text": text, "error": table.errors.get(place, ""), "reads": reads,
-            "unit": table.angles if angle else table.unit}
+            "hint": table.hints.get(place, ""), "unit": table.angles if angle else table.unit}
 
 
 def table_text(table: DHTable) -> list[list[str]]:
-    heads = printed.HEADS[table.convention]
+    heads, joints = printed.HEADS[table.convention], printed.joint_numbers(table.rows)
     return [["i", "joint", *heads.values()]] + [
-        [str(i), row.kind, *(_starred(row, column, i) for column in heads)]
-        for i, row in enumerate(table.rows, start=1)]
+        [str(i), row.kind, *(_starred(row, column, joint) for column in heads)]
+        for i, (row, joint) in enumerate(zip(table.rows, joints), start=1)]
 
 
-def _starred(row: Row, column: str, i: int) -> str:
-    letter = "θ" if column == "theta" else column
-    return f"{letter}{i}* {getattr(row, column)}" if column == row.variable \
-        else getattr(row, column)
+def _starred(row: Row, column: str, joint: int) -> str:
+    text, letter = getattr(row, column), "θ" if column == "theta" else column
+    return f"{'-' * row.flip}{letter}{joint}* {text}" if column == row.variable else text
 
 
 def lengths_text(table: DHTable) -> list[str]:
@@ -60,10 +76,46 @@ def lengths_text(table: DHTable) -> list[str]:
     return [f"with {pairs}"] if pairs else []
 
 
+def ends_text(table: DHTable) -> list[str]:
+    """What changes at the ends, as typed; a frame that changes nothing is left out."""
+    return [f"{end}: " + ", ".join(f"{column} {text}" for column, text in changed.items())
+            for end in ENDS if (frame := getattr(table, end)) and (changed := {
+                column: text for column, text in frame.cells(table.angles).items()
+                if text != "0"})]
+
+
 def reasons(table: DHTable) -> list[str]:
-    return [f"Length {place.row}: {reason}" if place.column == "length"
-            else f"Row {place.row}, {place.column}: {reason}"
-            for place, reason in table.errors.items()]
+    return [f"{_where(place)}: {reason}" for place, reason in table.errors.items()]
+
+
+def _where(place: Place) -> str:
+    if place.column == "length":
+        return f"Length {place.row}"
+    return f"{place.row.capitalize() if place.row in ENDS else f'Row {place.row}'}, {place.column}"
+
+
+def named_cells(table: DHTable) -> dict[tuple[int, str], str]:
+    """The texts of the lengths that name others, by row (from 1) and column.
+
+    Examples
+    --------
+    >>> named_cells(DHTable((Row(a="2*L1", d="3"),), lengths=(("L1", "0.5"),)))
+    {(1, 'a'): '2*L1'}
+    """
+    names = {name for name, _ in table.lengths}
+    texts = {(i, column): getattr(row, column) for i, row in enumerate(table.rows, start=1)
+             for column in ("d", "a")}
+    return {cell: text for cell, text in texts.items() if names & names_in(text)}
+
+
+def lengths_of(table: DHTable) -> dict[str, float]:
+    """The named lengths of a table that can be read."""
+    return {name: table.values[Place(k, "length")]
+            for k, (name, _) in enumerate(table.lengths, start=1)}
+
+
+def remarks_html(*remarks: str) -> str:
+    return "".join(f"<p>{escape(remark)}</p>" for remark in remarks if remark)
 
 
 def signs_html(arm: Arm) -> str:

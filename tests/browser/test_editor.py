@@ -97,7 +97,7 @@ def test_tab_goes_through_the_cells_and_commits(table):
         page.keyboard.press("Control+a")
         page.keyboard.type(text)
         page.keyboard.press("Tab")
-    expect(editor.get_by_label("Type of joint 2")).to_be_focused()
+    expect(editor.get_by_label("Type of row 2")).to_be_focused()
     page.keyboard.press("Tab")
     expect(cell(editor, 2, "θ")).to_be_focused()
     expect(cell(editor, 1, "α")).to_have_value("-80")
@@ -130,11 +130,11 @@ def test_rows_come_go_and_move(table):
     button(editor, "+ Joint").click()
     expect(cell(editor, 6, "θ")).to_be_focused()
     expect(editor.locator(".kl-joints").get_by_role("slider")).to_have_count(6)
-    editor.get_by_label("Type of joint 6").select_option("prismatic")
+    editor.get_by_label("Type of row 6").select_option("prismatic")
     expect(editor.locator(".kl-knob").nth(5)).to_have_text("d₆mm")
     expect(editor.locator(".kl-star").nth(5)).to_contain_text("d₆*")
     editor.get_by_role("button", name="Remove row 1").click()
-    expect(editor.get_by_label("Type of joint 6")).to_have_count(0)
+    expect(editor.get_by_label("Type of row 6")).to_have_count(0)
     expect(editor.locator(".kl-joints").get_by_role("slider")).to_have_count(5)
     assert python(editor, "[link.a for link in editor.arm.links]") == "[177.8, 99.0, 0.0, 0.0, 0.0]"
     for _ in range(5):
@@ -186,7 +186,7 @@ def test_what_is_being_typed_is_never_touched(table):
     a3.focus()
     a3.fill("12")
     run_code(editor.page, "editor.set(2, 'a', '50'); editor.table = editor.table.with_row()")
-    expect(editor.get_by_label("Type of joint 6")).to_have_count(1)
+    expect(editor.get_by_label("Type of row 6")).to_have_count(1)
     expect(cell(editor, 2, "a")).to_have_value("50")
     expect(a3).to_be_focused()
     expect(a3).to_have_value("12")
@@ -279,19 +279,186 @@ def test_saving_and_loading(table, tmp_path):
     expect(area).to_have_value(python(editor, "editor.to_csv()") + "\n")
     editor.get_by_label("Format").select_option("code")
     expect(area).to_have_value(python(editor, "editor.to_code()") + "\n")
-    with editor.page.expect_download() as saved:
-        button(editor, "Download").click()
-    assert saved.value.suggested_filename == "dh_table.py"
+    for form, name in [("markdown", "dh_table.md"), ("latex", "dh_table.tex"),
+                       ("code", "dh_table.py")]:
+        editor.get_by_label("Format").select_option(form)
+        expect(area).to_have_value(python(editor, f"editor.to_{form}()") + "\n")
+        with editor.page.expect_download() as saved:
+            button(editor, "Download").click()
+        assert saved.value.suggested_filename == name
     saved.value.save_as(tmp_path / "saved.py")
     area.fill("import os\nos.remove('x')")
     button(editor, "Load this text").click()
     expect(editor.get_by_role("status").first).to_contain_text("line 2: expected code such as")
     area.fill("kl.Arm([kl.revolute(a=2), kl.prismatic(alpha=pi/2)])")
     button(editor, "Load this text").click()
-    expect(editor.get_by_label("Type of joint 2")).to_have_value("prismatic")
+    expect(editor.get_by_label("Type of row 2")).to_have_value("prismatic")
     editor.get_by_label("Open a file").set_input_files(tmp_path / "saved.py")
-    expect(editor.get_by_label("Type of joint 5")).to_have_value("revolute")
+    expect(editor.get_by_label("Type of row 5")).to_have_value("revolute")
     assert python(editor, "repr(editor.arm) == repr(kl.robots.alpha_ii())") == "True"
+
+
+# ---- pasted tables ----
+
+# Paste into the element, as a browser does it: the clipboard holds a plain text and perhaps HTML.
+PASTE = """(node, [plain, html]) => {
+    const clipboard = new DataTransfer();
+    clipboard.setData('text/plain', plain);
+    if (html) clipboard.setData('text/html', html);
+    const event = new ClipboardEvent('paste',
+        { clipboardData: clipboard, bubbles: true, cancelable: true });
+    node.focus();
+    return node.dispatchEvent(event);
+}"""
+UNCLEAR = "theta\td\ta\talpha\n0\t0.1\t0\t1.5708\n0\t0\t1\t0\n"
+
+
+def paste(found, plain, html=""):
+    """Whether the browser goes on with an ordinary paste."""
+    return found.evaluate(PASTE, [plain, html])
+
+
+def test_a_table_is_pasted_into_any_cell_and_taken_back(table):
+    editor = table()
+    head = "i\tθ (deg)\td (mm)\ta (mm)\tα (deg)\n"
+    assert not paste(cell(editor, 2, "a"), head + "1\tq1\t300\t0\t90\n2\tq2\t0\t250\t0\n")
+    expect(editor.get_by_label("Type of row 3")).to_have_count(0)
+    expect(cell(editor, 2, "a")).to_have_value("250")
+    expect(editor.get_by_role("status").first).to_contain_text("Read as standard DH")
+    expect(cell(editor, 1, "θ")).to_be_focused()  # the cell that was pasted into has gone
+    button(editor, "↶ Undo").click()
+    expect(cell(editor, 5, "d")).to_have_value("129.5")
+    assert python(editor, "repr(editor.arm) == repr(kl.robots.alpha_ii())") == "True"
+
+
+def test_a_number_is_pasted_as_ever(table):
+    editor = table()
+    assert paste(cell(editor, 2, "a"), "0.5\r\n", "<table><tr><td>0.5</td></tr></table>")
+    assert paste(cell(editor, 2, "a"), "-pi/2")
+    settle(editor.page)
+    assert python(editor, "repr(editor.arm) == repr(kl.robots.alpha_ii())") == "True"
+
+
+def test_cells_of_a_page_are_pasted(table):
+    editor = table()
+    rows = [("theta", "d", "a", "alpha"), ("0°", "10", "20", "-90°"), ("0°", "0", "30", "0°")]
+    html = "".join(f"<tr>{''.join(f'<td>{text}</td>' for text in row)}</tr>" for row in rows)
+    assert not paste(cell(editor, 1, "d"), "all in one line | ", f"<table>{html}</table>")
+    expect(cell(editor, 1, "a")).to_have_value("20")
+    assert python(editor, "[link.a for link in editor.arm.links]") == "[20.0, 30.0]"
+
+
+def test_what_is_unclear_is_asked_and_answered_by_keyboard(table):
+    editor = table()
+    page = editor.page
+    paste(cell(editor, 2, "a"), UNCLEAR)
+    expect(button(editor, "degrees")).to_be_focused()
+    expect(editor.get_by_role("group", name="Are the angles in degrees or in radians?")
+           ).to_have_count(1)
+    page.keyboard.press("Escape")
+    expect(button(editor, "degrees")).to_have_count(0)
+    expect(cell(editor, 2, "a")).to_be_focused()
+    assert python(editor, "editor.arm.n") == "5"
+    paste(cell(editor, 2, "a"), UNCLEAR)
+    expect(button(editor, "degrees")).to_be_focused()
+    page.keyboard.press("Tab")
+    page.keyboard.press("Enter")
+    expect(cell(editor, 1, "α")).to_have_value("1.5708")
+    expect(editor.get_by_role("status").first).to_contain_text("angles in radians")
+    assert python(editor, "editor.arm.n, editor.arm.links[0].alpha") == "2 1.5708"
+
+
+def test_a_table_is_pasted_into_the_box(table):
+    editor = table()
+    button(editor, "Save, load").click()
+    area = editor.get_by_label("The table as text")
+    paste(area, "no table\nat all")
+    expect(editor.get_by_role("status").first).to_contain_text("expected a header")
+    expect(area).to_have_value("no table\nat all")  # to be corrected
+    paste(area, "theta,d,a,alpha\n0,1,2,90\n")
+    expect(editor.get_by_label("Type of row 2")).to_have_count(0)
+    expect(area).to_have_value(python(editor, "editor.to_csv()") + "\n")
+
+
+def test_a_file_is_dropped_on_the_table(table):
+    editor = table()
+    editor.locator(".kl-dh").evaluate("""node => {
+        const dropped = new DataTransfer();
+        dropped.items.add(new File(['theta,d,a,alpha\\n0,1,2,90\\n'], 'arm.csv'));
+        node.dispatchEvent(new DragEvent('drop', { dataTransfer: dropped, bubbles: true }));
+    }""")
+    expect(editor.get_by_label("Type of row 2")).to_have_count(0)
+    expect(cell(editor, 1, "a")).to_have_value("2")
+
+
+# ---- rows and ends as people have them ----
+
+
+def test_a_fixed_row_and_a_joint_that_counts_the_other_way(table):
+    editor = table()
+    editor.get_by_label("Type of row 2").select_option("fixed")
+    expect(editor.locator(".kl-joints").get_by_role("slider")).to_have_count(4)
+    expect(editor.locator(".kl-starred")).to_have_count(4)
+    flip = editor.get_by_role("button", name="θ₂ counts the other way")  # it stands in row 3
+    expect(flip).to_have_text("θ₂*")
+    cell(editor, 3, "a").press("Alt+-")
+    expect(flip).to_have_text("−θ₂*")
+    expect(flip).to_have_attribute("aria-pressed", "true")
+    expect(cell(editor, 3, "a")).to_be_focused()
+    assert python(editor, "[link.flip for link in editor.arm.links]") == \
+        "[False, False, True, False, False]"
+    flip.click()
+    expect(flip).to_have_attribute("aria-pressed", "false")
+
+
+def test_a_joint_is_locked_and_unlocked(table):
+    editor = table()
+    run_code(editor.page, "editor.theta_2 = 25")
+    button(editor, "Limits, home").click()
+    lock = editor.locator("[data-at^='lock ']").nth(1)
+    lock.click()
+    expect(lock).to_have_text("Unlock")
+    expect(lock).to_be_focused()
+    expect(editor.locator(".kl-locked")).to_have_text("locked")
+    expect(editor.get_by_label("row 2, upper limit")).to_have_value("25")
+    lock.press("Enter")
+    expect(editor.locator(".kl-locked")).to_have_count(0)
+    assert python(editor, "editor.arm.links[1].limits") == "None"
+
+
+def test_a_tool_is_typed(table):
+    editor = table()
+    page = editor.page
+    button(editor, "+ Tool").click()
+    tool = editor.get_by_role("group", name="Tool")
+    expect(tool.get_by_label("x of the tool")).to_be_focused()
+    page.keyboard.press("Tab")
+    page.keyboard.press("Tab")
+    expect(tool.get_by_label("z of the tool")).to_be_focused()
+    type_in(tool.get_by_label("z of the tool"), "100")
+    wait_for_position(editor, [585.1, 0, 215])
+    type_in(tool.get_by_label("yaw of the tool"), "1,5")
+    expect(tool.get_by_label("yaw of the tool")).to_have_attribute("aria-invalid", "true")
+    expect(tool.get_by_role("alert")).to_contain_text("yaw: '1,5'")
+    type_in(tool.get_by_label("yaw of the tool"), "90")
+    expect(tool.get_by_role("alert")).to_be_hidden()
+    tool.get_by_label("How the tool is typed").select_option("row")
+    expect(tool.get_by_label("θ of the tool")).to_have_value("90")
+    expect(tool.get_by_label("d of the tool")).to_have_value("100")
+    wait_for_position(editor, [585.1, 0, 215])
+    button(editor, "Leave out the tool frame").click()
+    expect(tool).to_have_count(0)
+    wait_for_position(editor, [485.1, 0, 215])
+
+
+def test_an_odd_angle_is_hinted_at(table):
+    editor = table()
+    alpha = cell(editor, 1, "α")
+    type_in(alpha, "1.5708")
+    said = editor.locator(f"#{alpha.get_attribute('data-reason')}")
+    expect(said).to_contain_text("pi/2")
+    expect(alpha).to_have_attribute("aria-invalid", "false")
+    expect(alpha).to_have_attribute("aria-describedby", alpha.get_attribute("data-reason"))
 
 
 def test_it_is_seen_whole_and_has_names_in_both_themes(table):

@@ -260,7 +260,8 @@ def test_what_cannot_be_done_is_said(editor):
     tell(editor, "with_cell", 2, "a", "x")
     state = tell(editor, "converted_to", "modified")
     assert state["said"].startswith("convention: expected a table that can be read; correct")
-    assert tell(editor, "load", "hello")["said"].startswith("expected a header such as")
+    assert tell(editor, "load", "hello")["said"].startswith("text: expected a header")
+    assert editor.said == editor.cells["said"]
     assert tell(editor, "with_cell", 2, "a", "1")["said"] == ""
 
 
@@ -323,6 +324,164 @@ def test_files_bring_the_table_back(editor):
     assert editor.table.angles == "rad" and editor.table.rows[0].alpha == "-pi/2"
 
 
+# ---- pasted tables ----
+
+TYPED = "theta,d,a,alpha\n0,0.1,0,1.5708\n0,0,1,0\n"
+
+
+def test_what_was_assumed_is_said(editor):
+    editor.load("α (deg) | a (m) | d (m) | θ\n90 | 0 | 0.1 | q1\n0 | 1 | 0 | q2\n")
+    assert "degrees" in editor.said and "\n" not in editor.said
+    assert editor.cells["said"] == editor.said
+    editor.set(1, "a", "2")
+    assert editor.said == ""
+
+
+def test_what_is_ambiguous_is_asked_and_answered(editor):
+    before = editor.table
+    with pytest.raises(ValueError, match='angles="rad"'):
+        editor.load(TYPED)
+    assert editor.cells["question"] is None  # Python asks with an exception
+    state = tell(editor, "load", TYPED)
+    assert state["question"]["options"] == ["degrees", "radians"]
+    assert state["question"]["text"].startswith("Are the angles in") and state["said"] == ""
+    assert editor.table is before
+    state = tell(editor, "answer", 1)
+    assert state["question"] is None and editor.arm.links[0].alpha == 1.5708
+    editor.undo()
+    assert editor.table == before
+    editor.load(TYPED, angles="deg")
+    assert math.degrees(editor.arm.links[0].alpha) == pytest.approx(1.5708)
+
+
+@pytest.mark.parametrize("step", [("dismiss",), ("with_cell", 1, "a", "3"), ("undo",),
+                                  ("load", "hello"), ("load", TYPED.replace("1.5708", "90"))])
+def test_a_question_is_gone_when_something_else_is_done(editor, step):
+    tell(editor, "load", TYPED)
+    assert tell(editor, *step)["question"] is None
+    table = editor.table
+    tell(editor, "answer", 0)
+    assert editor.table is table
+
+
+@pytest.mark.parametrize("k", [2, -1, "0", None, 1.5])
+def test_an_answer_that_is_none_changes_nothing(editor, k):
+    table = editor.table
+    tell(editor, "load", TYPED)
+    assert tell(editor, "answer", k)["question"] and editor.table is table
+
+
+@pytest.mark.parametrize("form", ["to_csv", "to_markdown", "to_latex", "to_code"])
+def test_all_formats_are_read_back(form):
+    editor = kl.DHTableEditor(kl.robots.practical_six_link())
+    editor.table = editor.table.with_kind(6, "fixed").with_flip(2, True).with_limits(3, "10", "10")
+    editor.set("tool", "z", "0.303")
+    table, text = editor.table, getattr(editor, form)()
+    assert editor.cells["texts"][form.removeprefix("to_")] == text
+    other = kl.DHTableEditor()
+    other.load(text)
+    assert other.arm.links == editor.arm.links and repr(other.arm) == repr(editor.arm)
+    np.testing.assert_array_equal(other.arm.tool, editor.arm.tool)
+    if form != "to_code":  # which keeps a tool as a matrix
+        assert other.table == table
+
+
+# ---- rows as people have them ----
+
+
+def test_a_fixed_row_has_no_star_and_counts_no_joint(editor):
+    state = tell(editor, "with_kind", 2, "fixed")
+    assert [row["joint"] for row in state["rows"]] == [1, 1, 2, 3, 4]
+    assert state["rows"][1]["variable"] is None
+    assert list(state["rows"][1]["cells"]) == ["theta", "d", "a", "alpha"]
+    assert editor.arm.n == 4 and len(editor.q) == 4
+    lines = repr(editor).splitlines()
+    assert lines[3].split() == ["2", "fixed", "0", "0", "177.8", "0"]
+    assert lines[4].split()[:4] == ["3", "revolute", "θ2*", "0"]
+
+
+def test_a_joint_counts_the_other_way(editor):
+    editor.q = np.radians([0, 30, 0, -90, 0])
+    ahead = editor.T[2, 3]
+    state = tell(editor, "with_flip", 2, True)
+    assert state["rows"][1]["flip"] and "-θ2* 0" in repr(editor)
+    assert editor.arm.links[1].flip
+    assert 215 - editor.T[2, 3] == pytest.approx(ahead - 215)
+    tell(editor, "with_cell", 2, "theta", "q2 + 10")
+    assert not editor.table.rows[1].flip and editor.table.rows[1].theta == "10"
+
+
+def test_a_joint_is_locked_where_it_is(editor):
+    editor.q = np.radians([10, 25, 30, -90, 0])
+    state = tell(editor, "lock", 2)
+    assert (editor.table.rows[1].low, editor.table.rows[1].high) == ("25", "25")
+    assert state["rows"][1]["locked"] and not state["rows"][2]["locked"]
+    assert editor.arm.links[1].limits == pytest.approx((math.radians(25),) * 2)
+    np.testing.assert_allclose(np.degrees(editor.q), [10, 25, 30, -90, 0])
+    state = tell(editor, "unlock", 2)
+    assert not state["rows"][1]["locked"] and editor.arm.links[1].limits is None
+    editor.arm = kl.robots.cylindrical()
+    editor.q = [0, 0.25, 0.5]
+    editor.lock(2)
+    assert editor.table.rows[1].low == "0.25"
+
+
+def test_joint_values_come_back_with_their_rows(editor):
+    q = np.radians([10, -20, 30.3, -40, 50])
+    editor.q = q
+    tell(editor, "without_row", 2)
+    tell(editor, "undo")
+    np.testing.assert_allclose(editor.q, q)
+
+
+def test_ends_are_typed(editor):
+    editor.set("tool", "z", "100")
+    editor.set("base", "yaw", "pi/2")
+    assert editor.arm.tool[2, 3] == 100 and editor.arm.base[1, 0] == 1
+    assert repr(editor).splitlines()[-2:] == ["base: yaw pi/2", "tool: z 100"]
+    ends = editor.cells["ends"]
+    assert ends["base"]["cells"]["yaw"]["reads"] == "90°"
+    assert ends["tool"]["form"] == "pose" and ends["tool"]["cells"]["z"]["unit"] == "mm"
+    tell(editor, "with_cell", "tool", "z", "1,5")
+    assert "decimal point" in editor.cells["ends"]["tool"]["cells"]["z"]["error"]
+    assert repr(editor).splitlines()[-1].startswith("Tool, z: '1,5'")
+    tell(editor, "undo")
+    tell(editor, "without_end", "tool")
+    assert editor.cells["ends"]["tool"] is None
+
+
+def test_an_odd_angle_is_hinted_at_and_is_no_error(editor):
+    state = tell(editor, "with_cell", 2, "alpha", "1.5708")
+    cell = state["rows"][1]["cells"]["alpha"]
+    assert "pi/2" in cell["hint"] and not cell["error"] and state["wrong"] == 0
+
+
+# ---- the formula has the table's names ----
+
+
+def test_named_lengths_stand_in_the_formula():
+    editor = kl.DHTableEditor(lengths={"L1": 0.5, "L2": 0.3})
+    editor.set(1, "a", "L1")
+    editor.set(2, "a", "L2")
+    tell(editor, "open", "closed")
+    assert "L_{1} C_{1} + L_{2} C_{12}" in editor.panel
+    editor.set(2, "a", "0.3")  # the same arm, another formula
+    assert "L_{1} C_{1} + 0.3 C_{12}" in editor.panel
+
+
+def test_a_name_that_means_a_joint_is_left_out_of_the_formula():
+    editor = kl.DHTableEditor(kl.robots.cylindrical(), lengths={"d2": 0.5})
+    editor.set(1, "d", "d2")
+    tell(editor, "open", "closed")
+    assert "Without names: " in editor.panel and "d2 is the variable of joint 2" in editor.panel
+
+
+def test_a_rounded_angle_is_named_beside_the_formula():
+    editor = kl.DHTableEditor(kl.Arm([kl.revolute(a=1, alpha=1.5708), kl.revolute(a=1)]))
+    tell(editor, "open", "closed")
+    assert "alpha1 = 1.5708 looks rounded: it is taken as pi/2." in editor.panel
+
+
 # ---- random edits ----
 
 
@@ -355,9 +514,10 @@ def browse(editor, sequence):
 
 
 loads = st.tuples(st.just("load"), st.lists(st.text(max_size=30) | st.sampled_from(
-    ["theta,d,a,alpha\n0,1,0,90", "kl.Arm([kl.revolute(a=1), kl.prismatic()])", "alpha\nx\n",
+    ["theta,d,a,alpha\n0,1,0,90", "kl.Arm([kl.revolute(a=1), kl.prismatic()])", "alpha\nx\n", TYPED,
      "joint,alpha\nP,90\nR,1"]), min_size=1, max_size=1))
-opened = st.sampled_from([("open", [""]), ("open", ["signs"])])
+opened = st.sampled_from([("open", [""]), ("open", ["signs"]), ("answer", [0]), ("dismiss", []),
+                          ("lock", [1]), ("lock", [9]), ("unlock", [2])])
 sessions = st.lists(edits | loads | opened, min_size=SEQUENCE, max_size=SEQUENCE)
 
 
