@@ -173,7 +173,8 @@ def tour(knobs: Sequence[Knob]) -> np.ndarray:
     home = np.clip(home, low, high)
     away = np.minimum(np.maximum(high - home, home - low), 0.3 * (high - low))
     away *= np.where(high - home >= home - low, 1, -1)
-    return np.concatenate([[home, home + out] for out in np.diag(away)])
+    moves = np.diag(away)[away != 0]  # a locked joint goes nowhere
+    return np.concatenate([[home, home + out] for out in moves]) if len(moves) else home[None]
 
 
 _SWITCHES = {"frames": ("Frames", "Frames of the links"), "labels": ("Labels", "Names of the axes"),

@@ -93,7 +93,7 @@ def inverse_kinematics(arm: Arm, target: Any, q0: Any = None, *, method: str = "
         How much an error along x, y, z and about x, y, z of the target counts. 0 leaves that
         direction free, as an arm of fewer than six joints needs.
     limits : {"keep", "ignore"}
-        Whether joint limits hold.
+        Whether joint limits hold. A locked joint stays locked either way.
     restarts : int, optional
         How many random starts may follow `q0`: 30 for "damped", none for the others.
     seed : int

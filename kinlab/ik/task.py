@@ -48,9 +48,9 @@ class Task:
     @cached_property
     def limits(self) -> tuple[np.ndarray, np.ndarray]:
         """Lowest and highest joint values that are allowed, shape (n, 1)."""
-        free = np.full((self.arm.n, 1), np.inf)
-        low, high = joint_limits(self.arm)[..., None] if self.keep_limits else (-free, free)
-        return low, high
+        low, high = joint_limits(self.arm)[..., None]
+        held = self.keep_limits | (low == high)  # a lock holds, whatever becomes of limits
+        return np.where(held, low, -np.inf), np.where(held, high, np.inf)
 
     @cached_property
     def walls(self) -> tuple[np.ndarray, np.ndarray]:

@@ -80,10 +80,10 @@ def test_a_locked_joint_stays_where_it_is():
     assert arm.home.tolist() == [0, 0.5, 0]
     assert joint_ranges(arm)[:, 1].tolist() == [0.5, 0.5]
     target = kl.forward_kinematics(arm, [0.3, 0.5, -0.8])[:3, 3]
-    found = kl.inverse_kinematics(arm, target, [0, 0.5, 0.1])
-    assert found.success
-    assert found.q[1] == 0.5
-    assert kl.forward_kinematics(arm, found.q)[:3, 3] == pytest.approx(target, abs=1e-5)
+    for limits in ("keep", "ignore"):
+        found = kl.inverse_kinematics(arm, target, [0, 0.3, 0.1], limits=limits)
+        assert found.success and found.q[1] == 0.5
+        assert kl.forward_kinematics(arm, found.q)[:3, 3] == pytest.approx(target, abs=1e-5)
 
 
 def test_limits_of_one_value_lock():

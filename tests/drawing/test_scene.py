@@ -226,3 +226,11 @@ def test_joint_ranges_are_the_limits_or_what_shows_the_joint():
 def test_an_arm_without_length_can_be_drawn():
     scene = arm_scene(kl.Arm([kl.revolute(), kl.revolute()]))
     assert isinstance(scene, Scene) and np.isfinite(scene.scale) and scene.scale > 0
+
+
+def test_a_locked_joint_has_no_part_in_the_tour():
+    arm = kl.Arm([kl.revolute(a=1), kl.revolute(a=1, limits=(0.5, 0.5))])
+    home, away = arm_scene(arm).poses
+    close(home, [0, 0.5])
+    close(away, [0.6 * np.pi, 0.5])
+    assert arm_scene(kl.Arm([kl.revolute(limits=(0.5, 0.5))])).poses == ((0.5,),)
