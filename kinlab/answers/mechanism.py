@@ -22,9 +22,8 @@ Flipped axes change signs of these numbers. All sign patterns that the twists al
 """
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, lru_cache
 from itertools import pairwise
 from typing import NamedTuple, TypeVar
 
@@ -154,6 +153,12 @@ class Layout:
         return np.eye(len(U)) - U @ U.T
 
 
+@lru_cache(maxsize=16)
+def layout_of(reference: Arm) -> Layout:
+    """The layout of a reference, which is asked for again with every answer."""
+    return Layout(axes_of(reference))
+
+
 def basis(axes: Axes, group: Group) -> np.ndarray:
     """Rows e1, e2, e3: e3 along the group's first axis, e2 normal to it and to the third one."""
     first, last, third = group
@@ -210,18 +215,6 @@ def wrapped(angle: Angles) -> Angles:
     return np.angle(np.exp(1j * angle))
 
 
-class Deviation(NamedTuple):
-    """One number of the answer's table that is off, and what it should be.
-
-    `row` counts from 0 in the standard table; `parameter` is alpha, theta, a or d.
-    """
-
-    parameter: str
-    row: int
-    got: float
-    expected: float
-
-
 def own_row(i: int, parameter: str, convention: str) -> int:
     """The row, from 1, of a table that holds a number of row i, from 0, of the standard one."""
     return i + 1 + (convention == "modified" and parameter in ("alpha", "a"))
@@ -236,102 +229,40 @@ def apart(a: float, b: float) -> tuple[str, str]:
     return one, other
 
 
-class Match(NamedTuple):
-    """The best way to lay the answer's axes upon the reference's.
+def fitting(answer: Axes, layout: Layout) -> np.ndarray:
+    """Signs (m, n) by which the axes of one arm lie on those of another with the same joints.
 
-    `signs` has a row for each sign pattern that is as good; `deviations` belong to the first one.
-    `single` where at most one number of the table is off.
+    None are left, (0, n), where the mechanisms differ.
     """
-
-    signs: np.ndarray
-    deviations: list[Deviation]
-    single: bool
-
-
-def matched(answer: Axes, layout: Layout) -> Match:
-    """Lay the axes of one arm upon those of another with the same joints."""
-    reference = layout.axes
-    signs, off = _patterns(answer, layout)
+    signs = _patterns(answer, layout)
     steps, slopes = stacked(answer, layout)
     flipped = flips(signs, layout)
     gaps = (flipped * steps - layout.steps) @ layout.fixed
-    size = np.linalg.norm(gaps, axis=1)
-    size[size <= ROUNDING * reference.longest] = 0
-    order = np.lexsort(((signs < 0).sum(axis=1), size, off))[:MOST_COMPARED]
-    signs, off, gaps = signs[order], off[order], gaps[order]
-    bars = (flipped[order][:, None] * slopes.reshape(2 * answer.n, -1)) @ layout.fixed
-    cost, deviation = _lengths(answer, reference, gaps, bars)
-    score = off + 0.6 * cost
-    best = int(np.argmin(score))
-    lengths = [deviation(best)] if cost[best] else []
-    return Match(signs[score == score[best]], [*_angles(answer, layout, signs[best]), *lengths],
-                 bool(off[best] + cost[best] < 2))
+    nearest = np.argsort(np.linalg.norm(gaps, axis=1), kind="stable")[:MOST_COMPARED]
+    bars = (flipped[nearest][:, None] * slopes.reshape(2 * answer.n, -1)) @ layout.fixed
+    return signs[nearest][_no_longer(answer, layout.axes, gaps[nearest], bars)]
 
 
-def _patterns(answer: Axes, layout: Layout) -> tuple[np.ndarray, np.ndarray]:
-    """Sign patterns that leave the fewest angles off, or one more; and how many are off."""
+def _patterns(answer: Axes, layout: Layout) -> np.ndarray:
+    """Sign patterns (m, n) that leave no angle off."""
     signs = np.array([[1], [-1]])
-    off = np.zeros(2, dtype=int)
     for i in range(1, answer.n):
         signs = np.column_stack([np.tile(signs, (2, 1)), np.repeat([1, -1], len(signs))])
         twist, expected = answer.twist(i - 1), layout.twists[i - 1]
         straight = signs[:, i - 1] == signs[:, i]
-        off = np.tile(off, 2) + differ(np.where(straight, twist, np.pi - twist), expected)
+        off = differ(np.where(straight, twist, np.pi - twist), expected)
         for (k, m), expected in layout.bends.items():
             if m + 1 == i:
-                off = off + differ(turned_bend(answer.bend(k, m), signs, k, m), expected)
-        keep = np.argsort(off, kind="stable")[:MOST_PATTERNS]
-        keep = keep[off[keep] <= off.min() + 1]
-        signs, off = signs[keep], off[keep]
-    return signs, off
+                off = off | differ(turned_bend(answer.bend(k, m), signs, k, m), expected)
+        signs = signs[~off][:MOST_PATTERNS]
+    return signs
 
 
-def _lengths(answer: Axes, reference: Axes, gaps: np.ndarray,
-             bars: np.ndarray) -> tuple[np.ndarray, Callable[[int], Deviation]]:
-    """What it costs to explain the gap of each sign pattern by one length, and that length.
-
-    A gap is explained by a length whose slope it follows. Where several do (offsets along
-    parallel axes add up), the one that brings back the reference's own number is taken.
-    """
+def _no_longer(answer: Axes, reference: Axes, gaps: np.ndarray, bars: np.ndarray) -> np.ndarray:
+    """Whether rounding in the lengths explains the gap of each sign pattern."""
     values = np.stack([answer.a, answer.d], axis=1).ravel()
-    originals = np.abs(np.stack([reference.a, reference.d], axis=1).ravel())
     noise, sizes = ROUNDING * max(answer.longest, reference.longest), (bars ** 2).sum(axis=-1)
     change = (bars @ gaps[..., None])[..., 0] / np.maximum(sizes, FLAT ** 2)
     change[sizes <= FLAT ** 2] = 0
-    gap = np.linalg.norm(gaps, axis=1, keepdims=True)
-    right = np.all(np.abs(change) <= SIXTH_DECIMAL * np.abs(values) + noise, axis=1) & (
-        gap[:, 0] <= noise * FLAT / ROUNDING)
-    left = np.linalg.norm(gaps[:, None] - change[..., None] * bars, axis=-1)
-    strange = np.abs(np.abs(values - change) - originals) > noise
-    cost = np.where(left <= noise + 1e-3 * gap, 1 + 0.1 * strange,
-                    2 + 0.1 * left / np.maximum(gap, noise))
-    choice = np.argmin(cost, axis=1)
-
-    def deviation(pattern: int) -> Deviation:
-        k = choice[pattern]
-        got, by = float(values[k]), float(change[pattern, k])
-        return Deviation("ad"[k % 2], int(k // 2), got, got - by)
-    return np.where(right, 0, cost.min(axis=1)), deviation
-
-
-def _angles(answer: Axes, layout: Layout, signs: np.ndarray) -> list[Deviation]:
-    """Twists, then bends, that differ under a sign pattern."""
-    deviations = []
-    for i, expected in enumerate(layout.twists):
-        if signs[i] != signs[i + 1]:
-            expected = np.pi - expected
-        if differ(answer.twist(i), expected):
-            deviations.append(Deviation("alpha", i, answer.arm.links[i].alpha, expected))
-    for (k, m), bend in layout.bends.items():
-        expected, got = float(turned_bend(bend, signs, k, m)), answer.bend(k, m)
-        if differ(got, expected):
-            deviations.append(_bent(answer, layout, range(k, m + 1), wrapped(expected - got)))
-    return deviations
-
-
-def _bent(answer: Axes, layout: Layout, run: range, change: float) -> Deviation:
-    """Parallel prismatic joints add up their angles: name the one that is not the reference's."""
-    changes = {i: change * np.sign(answer.z[i] @ answer.z[run[0]]) for i in run}
-    mine, theirs = ([link.theta for link in axes.arm.links] for axes in (answer, layout.axes))
-    k = min(run, key=lambda i: abs(wrapped(mine[i] + changes[i] - theirs[i])))
-    return Deviation("theta", k, mine[k], float(mine[k] + changes[k]))
+    return np.all(np.abs(change) <= SIXTH_DECIMAL * np.abs(values) + noise, axis=1) & (
+        np.linalg.norm(gaps, axis=1) <= noise * FLAT / ROUNDING)

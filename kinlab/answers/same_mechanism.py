@@ -1,29 +1,26 @@
 """Judge a student's DH table by what the arm does: every valid choice of frames is right."""
 from __future__ import annotations
 
-from dataclasses import replace
-from math import degrees, pi, sin
+from math import degrees, sin
 
 import numpy as np
 
-from ..arms.arm import CONVENTIONS, Arm, check_arm
+from ..arms.arm import Arm, check_arm
 from .mechanism import (
     SIXTH_DECIMAL,
-    WORDS,
     Axes,
-    Deviation,
-    Layout,
-    Match,
     apart,
     axes_of,
     differ,
-    matched,
-    own_row,
+    fitting,
+    layout_of,
     turned_bend,
     wrapped,
 )
-from .verdict import CORRECT, NOT_YET, Fault, Verdict
-from .zero_pose import misplaced
+from .nearest_table import nearest_table, with_rows
+from .refusal import Wrong, axis_name, other_joints, refusal
+from .verdict import CORRECT, Verdict
+from .zero_pose import stand_alike
 
 
 def same_mechanism(answer: Arm, reference: Arm, *, strict: bool = False) -> Verdict:
@@ -46,8 +43,10 @@ def same_mechanism(answer: Arm, reference: Arm, *, strict: bool = False) -> Verd
     -------
     Verdict
         With `ok` and `message`: which joint is off and what it should be, or what was chosen
-        differently in a right answer. One slip is named at a time, the twists before the lengths.
-        `fault` says where it is, by `row` and `column` of the answer's own table.
+        differently in a right answer. One slip is named at a time, the twists before the lengths,
+        and who changes what is named, one number after the other, ends in a right table.
+        `fault` says where the slip is, by `row` and `column` of the answer's own table, and what
+        stands there and should, `value` and `expected`.
 
     Raises
     ------
@@ -63,122 +62,26 @@ def same_mechanism(answer: Arm, reference: Arm, *, strict: bool = False) -> Verd
     """
     check_arm(answer)
     check_arm(reference)
-    if other := _other_joints(answer, reference):
+    if other := other_joints(answer, reference):
         return other
-    mine, theirs = axes_of(answer), axes_of(reference)
-    layout = Layout(theirs)
-    match = matched(mine, layout)
-    if match.deviations:
-        return _refusal(answer, mine, layout, match)
-    signs = _plainest(mine, theirs, match.signs)
-    if strict and (stance := misplaced(mine, theirs, signs, answer.convention)):
-        return stance
-    return Verdict(CORRECT, _praise(mine, theirs, answer, reference, signs))
+    layout = layout_of(reference)
+    theirs = layout.axes
 
+    def moves_alike(arm: Arm) -> bool:
+        return len(fitting(axes_of(arm), layout)) > 0
 
-def _other_joints(answer: Arm, reference: Arm) -> Verdict | None:
-    """How the joints differ in number or type, or None."""
-    if answer.n != reference.n:
-        rule = ("One row belongs to each joint." if answer.n < reference.n else
-                "Only joints have rows: put a fixed tool into the tool frame.")
-        return Verdict(NOT_YET, f"Your table has {_count(answer.n)}, the arm has {reference.n}. "
-                                f"{rule}")
-    for i, (row, joint) in enumerate(zip(answer.links, reference.links), start=1):
-        if row.kind != joint.kind:
-            message = (f"Joint {i} is {joint.kind} on the arm and {row.kind} in your table: its "
-                       f"variable is {joint.variable}{i}, so {joint.variable}{i} varies and "
-                       f"{row.variable}{i} is constant.")
-            return Verdict(NOT_YET, message, Fault(i, "kind"))
-    return None
+    def right(arm: Arm) -> bool:
+        return moves_alike(arm) and not (strict and not stand_alike(axes_of(arm), theirs))
 
-
-def _count(n: int) -> str:
-    return "1 joint" if n == 1 else f"{n} joints"
-
-
-# ---- A wrong table -------------------------------------------------------------------------------
-
-
-def _refusal(answer: Arm, mine: Axes, layout: Layout, match: Match) -> Verdict:
-    other, = set(CONVENTIONS) - {answer.convention}
-    if not match.single and not matched(axes_of(replace(answer, convention=other)),
-                                        layout).deviations:
-        return Verdict(NOT_YET, f"These numbers fit the {other} convention and were read as "
-                                f"{answer.convention}. Say convention='{other}', or move alpha and "
-                                "a by one row.")
-    off = match.deviations[0]
-    speak = {"alpha": _twisted, "theta": _bent, "a": _long, "d": _off}[off.parameter]
-    fault = Fault(own_row(off.row, off.parameter, answer.convention), off.parameter)
-    return Verdict(NOT_YET, speak(off, answer, mine, layout, match) + _rounded(off), fault)
-
-
-def _start(off: Deviation, answer: Arm) -> str:
-    """Joint, parameter and its value, named as in the student's own table."""
-    row = own_row(off.row, off.parameter, answer.convention)
-    where = f"{off.parameter}{off.row + 1}" + f" (in row {row})" * (row > off.row + 1)
-    return f"Joint {row}: the {WORDS[off.parameter]} {where} is {_shown(off)[0]}"
-
-
-def _shown(off: Deviation, expected: float | None = None) -> tuple[str, str]:
-    """Both values, with as many digits as it takes to tell them apart."""
-    values = off.got, off.expected if expected is None else expected
-    if off.parameter in ("alpha", "theta"):
-        got, right = apart(*map(degrees, values))
-        return f"{got}°", f"{right}°"
-    return apart(*values)
-
-
-def _twisted(off: Deviation, answer: Arm, mine: Axes, layout: Layout, match: Match) -> str:
-    i, angle, theirs = off.row, off.expected, layout.axes
-    length = mine.a[i] * theirs.a[i] * np.sign(theirs.x[i] @ theirs.normal(i))
-    side = match.signs[0, i] * match.signs[0, i + 1] * np.sign(length)
-    if mine.turns[i] and mine.turns[i + 1] and abs(length) > SIXTH_DECIMAL * mine.longest ** 2:
-        allowed = [side * angle]  # the length tells which way x points
-    else:
-        allowed = sorted({angle, -angle if angle < pi - SIXTH_DECIMAL else angle}, reverse=True)
-    texts = " or ".join(dict.fromkeys(_shown(off, value)[1] for value in allowed))
-    a, b = _z(answer, i), _z(answer, i + 1)
-    return f"{_start(off, answer)}; from {a} to {b} it should be {texts}."
-
-
-def _bent(off: Deviation, answer: Arm, mine: Axes, layout: Layout, match: Match) -> str:
-    return (f"{_start(off, answer)}; it should be {_shown(off)[1]}. A prismatic joint does "
-            "not turn, so q cannot make up for this angle: the row has to hold it.")
-
-
-def _long(off: Deviation, answer: Arm, mine: Axes, layout: Layout, match: Match) -> str:
-    i = off.row
-    text = f"{_start(off, answer)}; it should be {_shown(off)[1]}"
-    if abs(off.got + off.expected) > SIXTH_DECIMAL * abs(off.got):
-        return f"{text}."
-    if abs(sin(answer_twist := mine.arm.links[i].alpha)) > SIXTH_DECIMAL:
-        turned = apart(degrees(-answer_twist), degrees(answer_twist))[0]
-        return (f"{text}; or the twist alpha{i + 1} turns the wrong way and should be {turned}°: "
-                "the two must fit together.")
-    return f"{text}: its sign is wrong."
-
-
-def _off(off: Deviation, answer: Arm, mine: Axes, layout: Layout, match: Match) -> str:
-    run = next(run for run in layout.runs if off.row in run)
-    turning = [f"d{i + 1}" for i in run if mine.turns[i]]
-    text = f"{_start(off, answer)}; it should be {_shown(off)[1]}"
-    if len(turning) < 2:
-        return f"{text}."
-    return f"{text}. These axes are parallel: {', '.join(turning)} count only together."
-
-
-def _rounded(off: Deviation) -> str:
-    close = abs(abs(off.got) - abs(off.expected)) < 2e-3
-    if close and off.expected and off.parameter in ("alpha", "theta"):
-        return " It looks rounded: write pi/2 rather than 1.57."
-    if abs(off.got) > 2 * pi + SIXTH_DECIMAL and off.parameter in ("alpha", "theta"):
-        return " Angles are in radians: write radians(90) for 90°."
-    return ""
-
-
-def _z(answer: Arm, i: int) -> str:
-    """The z that lies along the axis of a joint; joints count from 0 here."""
-    return f"z{i + (answer.convention == 'modified')}"
+    mine = axes_of(answer)
+    signs = fitting(mine, layout)
+    if len(signs) and not (strict and not stand_alike(mine, theirs)):
+        return Verdict(CORRECT, _praise(mine, theirs, answer, reference,
+                                        _plainest(mine, theirs, signs)))
+    nearest = nearest_table(answer, reference, strict, right)
+    if not nearest.cells and right(plain := with_rows(answer, nearest.rows)):
+        return same_mechanism(plain, reference, strict=strict)  # a little rounding in each cell
+    return refusal(Wrong(answer, reference, layout, nearest, len(signs) > 0), right)
 
 
 # ---- A right table -------------------------------------------------------------------------------
@@ -199,7 +102,7 @@ def _praise(mine: Axes, theirs: Axes, answer: Arm, reference: Arm, signs: np.nda
     chosen = []
     if answer.convention != reference.convention:
         chosen.append(f"{answer.convention} DH instead of {reference.convention}")
-    chosen += [f"{_z(answer, i)} points the other way: your q{i + 1} "
+    chosen += [f"{axis_name(answer, i)} points the other way: your q{i + 1} "
                f"{'turns' if mine.turns[i] else 'slides'} backwards"
                for i in np.flatnonzero(signs < 0).tolist()]
     chosen += [f"x{i + 1} points the other way"
@@ -207,7 +110,7 @@ def _praise(mine: Axes, theirs: Axes, answer: Arm, reference: Arm, signs: np.nda
     chosen += [f"q{i + 1} counts from a zero {apart(abs(degrees(gap)), np.inf)[0]}° away"
                for i, gap in enumerate(_zero_gaps(mine, theirs, signs[None])[0])
                if abs(gap) > SIXTH_DECIMAL]
-    chosen += [f"the origin on {_z(answer, i)} slid along it" for i in range(1, mine.n - 1)
+    chosen += [f"the origin on {axis_name(answer, i)} slid along it" for i in range(1, mine.n - 1)
                if mine.turns[i] and _unequal(mine.d[i] * signs[i], theirs.d[i], mine)]
     chosen += _other_ends(mine, theirs)
     if not chosen:

@@ -99,23 +99,36 @@ def _compared(answer: Arm, reference: Arm, ends: bool, strict: bool) -> Verdict:
     if not (verdict.ok and ends):
         return verdict
     tip = same_mechanism(_with_tip(answer), _with_tip(reference))
-    if tip.fault and tip.fault.row > answer.n:  # the last link of a modified table
+    if tip.fault and tip.fault.row >= answer.n and (tip.fault.row > answer.n
+                                                    or answer.tool[:3, 3].any()):
         return Verdict(NOT_YET, "The arm is right, but its tip is not: check the tool.")
     if not tip.ok:
         return tip
-    if not same_mechanism(_on_floor(answer), _on_floor(reference)).ok:
-        return Verdict(NOT_YET, f"Joint 1: the offset d1 is {answer.links[0].d:g}, but with frame "
-                                "0 on the floor it holds the height of the column.", Fault(1, "d"))
-    return verdict
+    floor = same_mechanism(_on_floor(answer), _on_floor(reference))
+    return verdict if floor.ok else _off_floor(answer, floor)
+
+
+def _off_floor(answer: Arm, floor: Verdict) -> Verdict:
+    """What `floor` says of the row behind the floor's own, in words for the row of joint 1."""
+    d = answer.links[0].d
+    fault, should = Fault(1, "d"), ""
+    if floor.fault and floor.fault.column == "d" and isinstance(floor.fault.expected, float):
+        expected = floor.fault.expected - _height(answer)
+        fault, should = Fault(1, "d", d, expected), f"; it should be {expected:.6g}"
+    return Verdict(NOT_YET, f"Joint 1: the offset d1 is {d:g}{should}. With frame 0 on the floor "
+                            "it holds the height of the column.", fault)
 
 
 def _with_tip(arm: Arm) -> Arm:
     """The arm with a joint at its tip, whose axis lies alike for all choices of the last frame."""
     *links, last = to_standard(arm).links
-    x, y, d = forward_kinematics(Arm([last], tool=to_standard(arm).tool), [0])[:3, 3]
-    a = hypot(x, y)
-    theta, a = (atan2(y, x), a) if a > 1e-9 * (a + abs(d)) else (last.theta, 0)
-    end = replace(last, theta=theta, d=d, a=a, alpha=pi / 2 if last.kind == REVOLUTE else 0)
+    tool = to_standard(arm).tool
+    end = replace(last, alpha=pi / 2 if last.kind == REVOLUTE else 0)
+    if tool[:3, 3].any():
+        x, y, d = forward_kinematics(Arm([last], tool=tool), [0])[:3, 3]
+        a = hypot(x, y)
+        theta, a = (atan2(y, x), a) if a > 1e-9 * (a + abs(d)) else (last.theta, 0)
+        end = replace(end, theta=theta, d=d, a=a)
     longer = Arm([*links, end, revolute()], base=to_standard(arm).base)
     return to_modified(longer) if arm.convention == "modified" else longer
 
@@ -124,5 +137,10 @@ def _on_floor(arm: Arm) -> Arm:
     """The arm with a joint where its first axis meets the floor, as high as the room's origin."""
     arm = to_standard(arm)
     first, *links = arm.links
-    height = arm.base[:3, 3] @ arm.base[:3, 2]
-    return Arm([revolute(alpha=pi / 2), replace(first, d=first.d + height), *links])
+    return Arm([revolute(alpha=pi / 2), replace(first, d=first.d + _height(arm)), *links])
+
+
+def _height(arm: Arm) -> float:
+    """How high frame 0 of a standard table stands above the room's origin, along its z."""
+    base = to_standard(arm).base
+    return float(base[:3, 3] @ base[:3, 2])

@@ -1,7 +1,7 @@
 """What a check has to say: a word, a sentence the student acts on, and where the fault is."""
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from html import escape
 
 CORRECT, NOT_YET, BLANK = "Correct", "Not yet", "Not attempted yet"
@@ -21,10 +21,15 @@ class Fault:
         Of the table as the student wrote it, counted from 1.
     column : {"theta", "d", "a", "alpha", "kind"} or None
         None where the row as a whole is meant.
+    value, expected : float or str, optional
+        What stands there and what should: in radians or in the arm's unit, or the kind of joint.
+        Two faults in the same place are equal, whatever stands there.
     """
 
     row: int
     column: str | None = None
+    value: float | str | None = field(default=None, compare=False)
+    expected: float | str | None = field(default=None, compare=False)
 
 
 @dataclass(frozen=True)

@@ -97,7 +97,8 @@ SLIPS = [
      "in your table: its variable is d2, so d2 varies and theta2 is constant."),
     (kl.Arm(ALPHA_II.links[:4]), ALPHA_II, "Your table has 4 joints, the arm has 5. One row "
      "belongs to each joint."),
-    (kl.Arm([*ALPHA_II.links, R()]), ALPHA_II, "put a fixed tool into the tool frame"),
+    (kl.Arm([*ALPHA_II.links, R()]), ALPHA_II, "put a fixed first row into the base, a fixed last "
+     "row into the tool"),
     (kl.Arm([R(alpha=RIGHT), P(alpha=RIGHT, theta=1), R(alpha=RIGHT)]),
      kl.Arm([R(alpha=RIGHT), P(alpha=RIGHT), R(alpha=RIGHT)]), "Joint 2: the angle theta2 is "
      "57.2958°; it should be 0°. A prismatic joint does not turn, so q cannot make up for this"),
@@ -111,8 +112,8 @@ def test_a_slip_is_named_with_what_to_do(answer, reference, words):
 
 def test_a_twist_that_turns_the_wrong_way_for_its_length():
     arm = kl.Arm([R(a=1, alpha=radians(60)), R(d=0.5, a=0.3, alpha=RIGHT), R()])
-    message = refused(row(arm, 1, alpha=radians(-60)), arm, "Joint 1")
-    assert "or the twist alpha1 turns the wrong way and should be 60°" in message
+    refused(row(arm, 1, alpha=radians(-60)), arm,
+            "Joint 1: the twist alpha1 is -60°; from z0 to z1 it should be 60°.")
     accepted(row(arm, 1, alpha=radians(-60), a=-1), arm, "x1 points the other way")
 
 

@@ -39,7 +39,8 @@ STRICT = [
     (row(EXAM, 2, theta=0), EXAM, Fault(2, "theta")),
     (row(kl.robots.cylindrical(), 3, d=0.2), kl.robots.cylindrical(), Fault(3, "d")),
     (row(row(ALPHA_II, 2, theta=1), 4, theta=2), ALPHA_II, Fault(4, "theta")),
-    (row(ALPHA_II, 5, d=100), ALPHA_II, Fault(5)),  # the last row, or the tool
+    (row(ALPHA_II, 5, d=100), ALPHA_II, Fault(5, "d")),
+    (replace(ALPHA_II, tool=kl.translation([1, 0, 0])), ALPHA_II, Fault(5)),  # it, or the tool
     (row(SIX_LINK, 2, d=0.5), SIX_LINK, Fault(2, "d")),
     (row(kl.to_standard(SIX_LINK), 2, d=0.5), SIX_LINK, Fault(2, "d")),
     (row(ALPHA_II, 2, a=170), ALPHA_II, Fault(2, "a")),  # as without strict
