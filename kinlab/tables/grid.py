@@ -4,14 +4,20 @@ from __future__ import annotations
 import csv
 import io
 import re
+from collections import Counter
 from collections.abc import Callable, Iterator
+
+from .programs import program_lines
 
 Lines = list[list[str]]
 
 _HTML = re.compile(r"<(?:table|tr|td|th)\b", re.IGNORECASE)
 _HTML_PIECE = re.compile(r"<(/?)([A-Za-z][A-Za-z0-9]{0,15})([^<>]{0,400})>|([^<]+|<)")
 _SPAN = re.compile(r"colspan\s*=\s*[\"']?([0-9]{1,2})", re.IGNORECASE)
-_LONGEST_CELL = 1000
+_LONGEST_CELL, _MOST_CELLS = 1000, 30
+_COMMENTED = re.compile(r"^[ \t]*(?:%+|#+|//+)[ \t]?")
+_IN_BRACKETS = re.compile(r"^[ \t]*[\[(]", re.MULTILINE)
+_ASSIGNED = re.compile(r"=\s{0,9}[\w.]{0,30}\(?[ \t]*[\[(]")
 _INLINE = ("sub", "sup")
 _LATEX = re.compile(r"\\begin\s*\{(tabular[x*]?|longtable|array|[bBpvV]?matrix\*?|aligned|cases)\}")
 _LATEX_COLUMNS = re.compile(r"\s*(?:\[[^\]]{0,20}\])?(?:\s*\{(?:[^{}]|\{[^{}]{0,40}\}){0,120}\})")
@@ -44,11 +50,13 @@ def grids(text: str) -> Iterator[Lines]:
         yield _piped(text)
     if "&" in text and "\\\\" in text and not match:
         yield _latex_rows(text)
+    bare = _uncommented(text)
+    if len(_IN_BRACKETS.findall(bare)) > 1 or _ASSIGNED.search(bare):
+        yield program_lines(bare)
     for sign in "\t;,":
-        if sign in text:
-            yield _separated(text, sign)
-    for cut in (_by_gaps, _by_blanks, _by_blanks_of_sums):
-        yield [cut(line) for line in text.splitlines()]
+        if sign in bare:
+            yield _separated(bare, sign)
+    yield from _blank_lines(bare)
 
 
 def _separated(text: str, sign: str) -> Lines:
@@ -59,7 +67,31 @@ def _separated(text: str, sign: str) -> Lines:
         return [[cell.strip() for cell in line.split(sign)] for line in text.splitlines()]
 
 
+def _uncommented(text: str) -> str:
+    """The text of a table that stands in the comments of a program."""
+    lines = text.splitlines()
+    return "\n".join(_COMMENTED.sub("", line) for line in lines) if 2 * sum(
+        bool(_COMMENTED.match(line)) for line in lines) > len(lines) else text
+
+
 # ---- blanks ----
+
+
+def _blank_lines(text: str) -> Iterator[Lines]:
+    """Lines parted by blanks into equally many cells; what cannot be cut so is words.
+
+    A cell may have blanks in it, such as q2 - 90 or 100 mm, so lines are cut in several ways, and
+    the numbers of cells that most lines have are tried. The headings may lack that of an index.
+    """
+    lines = [line.strip() for line in text.splitlines() if not _is_rule(line)]
+    cuts = [(line, [cut(line) for cut in (_by_gaps, _by_blanks, _by_blanks_of_sums)])
+            for line in lines]
+    counts = Counter(count for _, ways in cuts for count in {len(cells) for cells in ways})
+    likely = sorted((count for count in counts if 2 < count <= _MOST_CELLS and counts[count] > 1),
+                    key=lambda count: (-counts[count], -count))
+    for count in likely[:3]:
+        yield [next((cells for size in (count, count - 1) for cells in ways if len(cells) == size),
+                    [line]) for line, ways in cuts]
 
 
 def _by_gaps(line: str) -> list[str]:
@@ -72,15 +104,20 @@ def _by_blanks(line: str) -> list[str]:
 
 
 def _by_blanks_of_sums(line: str) -> list[str]:
-    return _by_blanks(re.sub(r"\s*([+*/])\s*|\s+(-)\s+", r"\1\2", line))
+    return _by_blanks(re.sub(r"(?<=[\w)°*])\s*(?:([+*/])\s*|\s([-−])\s+)(?=[\w(.])", r"\1\2", line))
 
 
 # ---- Markdown, and boxes of characters ----
 
 
 def _piped(text: str) -> Lines:
-    lines = (_REMARKED.sub("", line).strip() for line in text.translate(_BOX).splitlines())
-    return [_piped_cells(line) for line in lines if not _is_rule(line)]
+    lines = [_REMARKED.sub("", line).rstrip() for line in text.translate(_BOX).splitlines()]
+    lines = [line for line in lines if not _is_rule(line)]
+    barred = [line for line in lines if "|" in line]
+    edged = 2 * sum(line.lstrip().startswith("|") for line in barred) >= len(barred)
+    mixed = 2 * len(barred) > sum(bool(line) for line in lines)  # headings may have no bars
+    return [_piped_cells(line.strip(), edged) if "|" in line or not mixed else
+            gaps if len(gaps := _by_gaps(line)) > 2 else [line] for line in lines]
 
 
 def _is_rule(line: str) -> bool:
@@ -88,10 +125,11 @@ def _is_rule(line: str) -> bool:
     return bool(_RULE.fullmatch(line)) and bool(_DRAWN.search(line))
 
 
-def _piped_cells(line: str) -> list[str]:
+def _piped_cells(line: str, edged: bool) -> list[str]:
+    """The cells between bars; where most lines begin with a bar, it is the table's edge."""
     if "|" not in line:
         return [line]
-    cells = re.split(r"(?<!\\)\|", line.removeprefix("|"))
+    cells = re.split(r"(?<!\\)\|", line.removeprefix("|") if edged else line)
     if line.endswith("|") and not line.endswith("\\|") and len(cells) > 1:
         cells.pop()
     return [cell.strip().strip("`").replace("\\|", "|") for cell in cells]

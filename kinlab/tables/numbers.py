@@ -14,7 +14,9 @@ from ..arms import inputs
 LONGEST = 200  # characters; what is longer is no number in a table
 LARGEST_POWER = 100
 _UNITS = {"deg": math.pi / 180, "rad": 1.0}
-_FUNCTIONS = {"sqrt": math.sqrt, "sin": math.sin, "cos": math.cos}
+_FUNCTIONS = {"sqrt": math.sqrt, "sin": math.sin, "cos": math.cos, "atan": math.atan,
+              "arctan": math.atan}
+_ARCS = ("atan", "arctan")
 _RESERVED = {"pi", *_UNITS, *_FUNCTIONS}
 _OPERATORS: dict[type[ast.operator], Callable[[float, float], float]] = {
     ast.Add: operator.add, ast.Sub: operator.sub, ast.Mult: operator.mul,
@@ -32,9 +34,9 @@ _TOKEN = re.compile(r"\s*(?:(?P<number>(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[
 def parse_number(text: str, names: Mapping[str, float] | None = None) -> float:
     """The number that a student typed.
 
-    Numbers, pi, named lengths, ``+ - * / **``, brackets, ``sqrt sin cos``, and the units ``deg``,
-    ``°`` and ``rad`` behind what they belong to. Degrees become radians; a number without a unit
-    stays as it is. Nothing is evaluated as code.
+    Numbers, pi, named lengths, ``+ - * / **``, brackets, ``sqrt sin cos atan``, and the units
+    ``deg``, ``°`` and ``rad`` behind what they belong to. Degrees become radians; a number without
+    a unit stays as it is. Nothing is evaluated as code.
 
     Parameters
     ----------
@@ -198,7 +200,8 @@ def _value(node: ast.AST, known: Mapping[str, float]) -> tuple[float, bool]:
             root = name == "sqrt"
             _refuse_if(root and angle, "an angle has no square root")
             _refuse_if(root and value < 0, "a root of a negative number is not real")
-            return _FUNCTIONS[name](value), False
+            turn = known["pi"] / math.pi if name in _ARCS else 1.0  # as pi, arcs are in radians
+            return _FUNCTIONS[name](value) * turn, False
     raise _Refused("write a function with its argument in brackets, such as sqrt(2)")
 
 

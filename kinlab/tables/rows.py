@@ -23,6 +23,9 @@ _SIGMA = {"0": REVOLUTE, "1": PRISMATIC, "2": FIXED}
 _COUNTED = re.compile(r"(?:joint|link|axis|frame|achse|gelenk|glied|row|body|dof|theta|[a-z])?"
                       r"[\s_.#-]{0,3}[0-9]{1,3}(?:\s?(?:-|->|→|to|,|/)?>?\s?[a-z]?_?[0-9]{1,3})?"
                       r"|[0-9a-z]{1,3}(?:\s?(?:->|→|-|/)\s?[0-9a-z+-]{1,4})?", re.IGNORECASE)
+_WITH_VALUE = re.compile(r"[A-Za-z]\w{0,20}\s?(?::?=([^=]{1,200})|\(([-+]?[0-9.]{1,20})\))")
+_RANGE = re.compile(r"\+?\s?\([^()]{0,30}(?:->|→|\bto\b|\.\.)[^()]{0,30}\)")
+_EMPTY = Variable(None, False, "0")
 _NOTHING = ("", "-", "--", "/", "n/a", "na", "none", "null", "nil", ".", "...")
 
 
@@ -65,13 +68,35 @@ def cells_of(heads: Sequence[Heading], rows: Sequence[Sequence[str]], first: int
                              "put a text that has a comma into quotes")
     padded = [[*row, *[""] * (len(heads) - len(row))] for row in rows]
     kinds = _kinds(heads, padded, first)
-    texts = [{column: plain(row[k]) for column, k in columns.items()} for row in padded]
+    texts = [_sorted({column: value_text(row[k]) for column, k in columns.items()})
+             for row in padded]
     found = _found(texts, kinds)
     labels = [plain(row[columns[LABEL]]) if LABEL in columns else "" for row in padded]
     found = _numbered(found, labels)
     names = _names(heads, padded)
     return [_cells(text, kind, its, name, column)
             for text, (kind, column, its), name in zip(texts, found, names)]
+
+
+def _sorted(texts: dict[str, str]) -> dict[str, str]:
+    """A row with d3 under d, where a column names the variable of each joint."""
+    theta = texts.get("theta", "")
+    if variable(theta, "theta") or not variable(theta, "d"):
+        return texts
+    return texts | {"theta": "0", "d": texts["d"] if texts.get("d") not in ("0", None) else theta}
+
+
+def value_text(cell: str) -> str:
+    """What a cell says, plain; of a name with its value, ``d1 = 0.75`` or ``L (1.0)``, the value.
+
+    Examples
+    --------
+    >>> value_text("θ2 = θ2 - 90"), value_text("$L_1$ (0.5)"), value_text("90 + (-44 -> +132)")
+    ('theta2 - 90', '0.5', '90')
+    """
+    text = _RANGE.sub("", plain(cell))
+    match = _WITH_VALUE.fullmatch(text)
+    return (match[1] or match[2]).strip() if match else text.strip()
 
 
 def _cells(texts: dict[str, str], kind: str, its: Variable | None, name: str,
@@ -121,6 +146,9 @@ def _found(texts: Sequence[Mapping[str, str]], kinds: Sequence[str] | None
     if kinds is not None:
         return [_of_kind(kind, *pair) for kind, pair in zip(kinds, pairs)]
     turns = any(theta for theta, _ in pairs)
+    if turns:  # then an empty cell is a variable without an offset, and 0 is not
+        pairs = [(theta or _EMPTY if text.get("theta") == "" and not d else theta, d)
+                 for text, (theta, d) in zip(texts, pairs)]
     slides = all(d and d.number == k for k, (_, d) in enumerate(pairs, start=1))
     return [_guessed(theta, d, text, turns, slides or turns)
             for text, (theta, d) in zip(texts, pairs)]
@@ -150,10 +178,11 @@ def _numbered(found: list[tuple[str, str, Variable | None]], labels: Sequence[st
     moving = [(i, its) for i, (_, column, its) in enumerate(found) if column]
     shown = [(joint, i, its.number) for joint, (i, its) in enumerate(moving)
              if its and its.number is not None]
-    ways = ([joint + 1 for joint, _, _ in shown], [i + 1 for _, i, _ in shown],
-            [joint for joint, _, _ in shown], [i for _, i, _ in shown])
-    numbers = [number for _, _, number in shown]
-    if numbers in ways or [str(number) for number in numbers] == [labels[i] for _, i, _ in shown]:
+    by_joints = {number - joint for joint, _, number in shown}
+    by_rows = {number - i for _, i, number in shown}
+    one = len(shown) == 1 and by_joints | by_rows <= {0, 1}
+    if (len(shown) > 1 and 1 in (len(by_joints), len(by_rows))) or one or all(
+            str(number) == labels[i] for _, i, number in shown):
         return found
     wrong = {i for joint, i, number in shown if number != joint + 1}
     return [(kind, column, None if i in wrong else its)

@@ -7,10 +7,11 @@ from dataclasses import dataclass, replace
 
 from ..arms.link import PARAMETERS
 from .grid import Lines, grids
-from .headings import LABEL, UNITS, Heading, headings
+from .headings import KIND, LABEL, UNITS, Heading, headings
 from .spelling import plain
 
 _MOST_COLUMNS, _MOST_HEADS, _LONGEST_HEAD, _WORDS_NEAR, _MOST_LINES = 40, 60, 60, 12, 500
+_LABEL_OF_ROW = re.compile(r"[A-Za-z]{1,8}[ _]?[0-9]{1,2}:?|[0-9]{1,2}\s?(?:->?|→|:)\s?[0-9]{0,2}")
 _NUMBER = re.compile(r"\s*[-+−–]?\s?[0-9.]")
 
 
@@ -102,7 +103,7 @@ def _may_be_heads(cells: Sequence[str]) -> bool:
 def _are_heads(heads: Sequence[Heading]) -> bool:
     """Whether there are two parameters, one of them an angle, and no crowd of other words."""
     known = sum(bool(head.column) for head in heads)
-    return (_parameters(heads) > 1 and 2 * known > len(heads)
+    return (_parameters(heads) > 1 and (2 * known > len(heads) or _parameters(heads) > 3)
             and any(head.column in ("theta", "alpha") for head in heads))
 
 
@@ -152,14 +153,18 @@ def _is_blank(lines: Lines) -> bool:
 
 
 def _with_index(sheet: Sheet) -> Sheet:
-    """With a heading for a first column of numbers that has none."""
+    """With a heading for a first column that counts, or a last one of zeros and ones."""
     firsts = [plain(row[0]) for row in sheet.rows if len(row) == len(sheet.heads) + 1]
     counted = len(firsts) == len(sheet.rows) > 1 and all(
         word == str(k + int(firsts[0] or 0)) for k, word in enumerate(firsts)
         if firsts[0].isdecimal() and len(firsts[0]) < 4)
-    if not counted or not firsts[0].isdecimal():
-        return sheet
-    return replace(sheet, heads=(Heading(LABEL), *sheet.heads))
+    named = len(firsts) == len(sheet.rows) > 1 and all(map(_LABEL_OF_ROW.fullmatch, firsts))
+    if named or (counted and firsts[0].isdecimal()):
+        return replace(sheet, heads=(Heading(LABEL), *sheet.heads))
+    lasts = {row[-1].strip() for row in sheet.rows if len(row) == len(sheet.heads) + 1}
+    if len(firsts) == len(sheet.rows) > 0 and lasts <= {"0", "1"}:  # as Link([th d a alpha 0])
+        return replace(sheet, heads=(*sheet.heads, Heading(KIND, "sigma")))
+    return sheet
 
 
 def _turned(lines: Lines) -> Lines:

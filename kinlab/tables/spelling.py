@@ -8,7 +8,8 @@ import unicodedata
 _CHARACTERS = str.maketrans({
     **dict.fromkeys("−–—‐‑‒⁻", "-"), **dict.fromkeys("º˚∘ᵒ", "°"), **dict.fromkeys("×·⋅∗", "*"),
     **dict.fromkeys("\u200b\u200c\u200d\u2060\ufeff", None), "⁄": "/", "÷": "/",
-    "θ": "theta", "ϑ": "theta", "Θ": "theta", "α": "alpha", "π": "pi", "φ": "phi", "ϕ": "phi",
+    "θ": "theta", "ϑ": "theta", "Θ": "theta", "α": "alpha", "⍺": "alpha",
+    "√": "sqrt", "π": "pi", "φ": "phi", "ϕ": "phi",
     "σ": "sigma", "∗": "*", "⋆": "*", "★": "*"})
 _POWER = re.compile("[⁰¹²³⁴⁵⁶⁷⁸⁹⁻]+")
 _TAGS = {"<sub>": "_{", "</sub>": "}", "<sup>": "^{", "</sup>": "}"}
@@ -25,6 +26,10 @@ _ROOT = re.compile(r"\\sqrt\s*\{([^{}]{0,80})\}")
 _TIMES = re.compile(r"\\(?:cdot|times|ast|star)(?![A-Za-z])")
 _ABOVE = re.compile(r"[0-9.]*\s?(?:\\pi|[A-Za-z]\w*)|[0-9.]+")
 _BELOW = re.compile(r"\\pi|[A-Za-z]\w*|[0-9.]+")
+_BOLD = re.compile(r"(\*\*|__)(?=\S)(.{1,80})(?<=\S)\1")
+_LIBRARY = re.compile(r"\b(?:np|numpy|math|sp|sympy|Math)\.(?=[A-Za-z])")
+_TURNED = re.compile(r"\b(?:[A-Za-z]{1,8}\.)?(?:deg2rad|radians)\(([^()]{1,60})\)")
+_PI = re.compile(r"\b(?:PI|Pi|M_PI)\b|(?<=[0-9])PI\b")
 _LONGEST = 300
 
 
@@ -38,9 +43,11 @@ def plain(text: str) -> str:
     """
     if len(text) > _LONGEST:
         return text
+    text = _BOLD.sub(r"\2", text.replace(":math:", "").strip().strip("`"))
     text = _unwrapped(_untagged(html.unescape(text)))
     text = _POWER.sub(lambda power: f"^{unicodedata.normalize('NFKC', power[0])}", text)
     text = unicodedata.normalize("NFKC", text.translate(_CHARACTERS)).translate(_CHARACTERS)
+    text = _LIBRARY.sub("", _PI.sub("pi", _TURNED.sub(r"(\1) deg", text)))
     text = re.sub(r"([0-9)])\s?(pi(?![A-Za-z])|sqrt)", r"\1*\2", text)
     return " ".join(text.split())
 

@@ -6,9 +6,10 @@ from dataclasses import dataclass
 
 from .spelling import plain
 
-_LETTERS = {"theta": "theta|vartheta|th|varphi|phi|q|t|j", "d": "d|q|s"}
+_LETTERS = {"theta": "theta|vartheta|tet|th|varphi|phi|joints?|axis|q|t|j|a",
+            "d": "d|q|s|joints?"}
 _TOKENS = {column: re.compile(
-    rf"(?<![\w.])(?:{letters})(\^?\*)?(?:_?([0-9]{{1,3}})|_?[ijkn]|[\[(]([0-9]{{1,3}})[\])])?"
+    rf"(?<![\w.])(?:{letters})(\^?\*)?(?:_?([0-9]{{1,3}})|_?[ijkn]|(?<=theta)\s([0-9]{{1,2}})|[\[(]([0-9]{{1,3}})[\])])?"
     r"(\s?\^?\*)?(?:\(t\))?(?![\w(\[])", re.IGNORECASE) for column, letters in _LETTERS.items()}
 _WORDS = re.compile(r"\*|var\.?|variable|joint variable", re.IGNORECASE)
 _STARRED = re.compile(r"(-?[0-9][0-9.,]*\s?°?)\s?\^?\*")
@@ -54,11 +55,11 @@ def variable(text: str, column: str) -> Variable | None:
     found = list(_TOKENS[column].finditer(text))
     if len(found) != 1:
         return None
-    marked = bool(found[0][1] or found[0][4])
+    marked = bool(found[0][1] or found[0][5])
     parted = _parted(text[:found[0].start()].rstrip(), text[found[0].end():].lstrip(), marked)
     if parted is None:
         return None
-    number = found[0][2] or found[0][3]
+    number = found[0][2] or found[0][3] or found[0][4]
     return Variable(int(number) if number else None, *parted, marked)
 
 
@@ -76,5 +77,6 @@ def _parted(before: str, after: str, marked: bool) -> tuple[bool, str] | None:
         return None
     if after[:1] not in ("", "+", "-") and not (marked and not rest and after[0] not in "*/)^"):
         return None
+    after = after.rstrip("* ")
     sum_ = f"{rest} {after}".strip() if rest else re.sub(r"^([+-])\s+", r"\1", after)
     return flip, sum_.removeprefix("+").strip() or "0"

@@ -103,7 +103,81 @@ def test_a_table_is_read_whatever_parts_its_cells(form):
     assert told(read(FORMS[form])) == ONE
 
 
+# ---- tables in programs ----
+
+PROGRAMS = {
+    "Python lists": """
+# DH parameters [theta, d, a, alpha]
+dh = [[q[0], 0.1, 0, np.pi / 2],
+      [q[1], 0, 1, 0]]""",
+    "Python tuples": """
+# (theta, d, a, alpha_deg)
+LINKS = (
+    (0, 0.1, 0, 90),  # shoulder
+    (0, 0, 1, 0),     # elbow, the longer one
+)""",
+    "MATLAB matrix": """
+% theta  d  a  alpha
+DH = [q1   0.1  0  pi/2;
+      q2   0    1  0   ];""",
+    "MATLAB links": """
+%             th   d    a   alpha
+L(1) = Link([ 0    0.1  0   pi/2   0]);
+L(2) = Link([ 0    0    1   0      0]);  % the elbow""",
+    "a comment": """
+# theta   d    a   alpha
+# theta1  0.1  0   90
+# theta2  0    1   0""",
+}
+
+
+@pytest.mark.parametrize("form", PROGRAMS)
+def test_a_table_in_a_program_is_read_and_never_run(form):
+    table = read(PROGRAMS[form])
+    assert told(table) == ONE or told(table) == [(*ONE[0][:4], "pi/2"), ONE[1]] or told(
+        table) == [(*ONE[0][:4], "pi / 2"), ONE[1]]
+
+
+def test_the_fifth_number_of_a_link_is_its_kind():
+    text = "% th d a alpha\nL(1) = Link([0 0.1 0 0 0]);\nL(2) = Link([0 0 1 0 1]);"
+    assert [row.kind for row in read(text).rows] == ["revolute", "prismatic"]
+
+
 # ---- headings ----
+
+
+def test_khalils_d_is_along_x():
+    table = read("j;σj;αj;dj;θj;rj\n1;0;0;0;θ1;0.4\n2;1;90;0.3;0;r2\n")
+    assert table.convention == "modified"
+    assert [(row.kind, row.d, row.a, row.alpha) for row in table.rows] == [
+        ("revolute", "0.4", "0", "0"), ("prismatic", "r2", "0.3", "90")]
+
+
+@pytest.mark.parametrize("extra, cell", [
+    ("cos α", "0"), ("DXL angle (rad)", "3"), ("v_max", "2"), ("Link mass", "4"), ("Notes", "a, d"),
+    ("Range", "-90 to 90")])
+def test_a_column_that_is_no_parameter_is_left_out(extra, cell):
+    loaded = read_table(f"{extra};theta;d;a;alpha\n{cell};0;0.1;0;90\n", DEGREES)
+    assert told(loaded.table) == ONE[:1]
+    assert f"left out: {extra!r}" in loaded.remark
+
+
+def test_empty_cells_among_variables_are_variables_and_zeros_are_not():
+    table = read("θ;d;a;α\n;0.1;0;0\nq2 - 90;0;1;0\n0;0.3;0;0\n")
+    assert [(row.kind, row.theta) for row in table.rows] == [
+        ("revolute", "0"), ("revolute", "-90"), ("fixed", "0")]
+
+
+def test_variables_may_count_on_from_another_arm():
+    assert not read("θ;d;a;α\nq15;0;0;0\n-90+q16;0;0;0\nq17;0;1;0").errors
+
+
+@pytest.mark.parametrize("cell, value", [
+    ("d1 = 0.75", 0.75), ("$L_{base}$ (1.5)", 1.5), ("**0.5**", 0.5), ("√(0.3²+0.4²)", 0.5),
+    ("333 / 1000.0", 0.333), ("`0.25`", 0.25)])
+def test_a_length_beside_its_name_or_worked_out(cell, value):
+    table = read(f"θ;d;a;α\nq1;{cell};0;90")
+    assert table.values[Place(1, "d")] == pytest.approx(value, rel=1e-15) and not table.lengths
 
 
 @pytest.mark.parametrize("theta, d, a, alpha", [
