@@ -187,9 +187,13 @@ def _links(links: Any) -> tuple[Link, ...]:
         rows = tuple(links)
     except TypeError:
         rows = ()
-    if not rows or not all(isinstance(link, Link) for link in rows):
+    if not rows:
         raise ValueError("links: expected at least one link, "
                          f"got {inputs.brief(links)}; make them with revolute() and prismatic()")
+    for i, row in enumerate(rows, start=1):
+        if not isinstance(row, Link):
+            raise ValueError(f"links: expected links, got {inputs.brief(row)} as row {i}; name its "
+                             "numbers: revolute(theta=0, d=0.1, a=0, alpha=np.radians(90))")
     if not _moving(rows):
         raise ValueError("links: expected at least one joint, got only fixed rows; "
                          "make one with revolute() or prismatic()")

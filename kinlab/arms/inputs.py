@@ -9,6 +9,7 @@ from numbers import Integral
 from typing import Any, NoReturn, TypeVar
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 # A matrix may be off by this much without a word: well above the rounding of float32, below any
 # number that was read off a page.
@@ -18,6 +19,8 @@ PRINTED = 0.5e-3
 # Far beyond any arm; products of three such numbers are still finite.
 LARGEST = 1e100
 MOST = 10**9
+_PLAIN = "give plain numbers"
+TWO_TURNS = 4 * math.pi  # rad: few joints go farther, and most angles in degrees do
 _PACKAGE = __name__.split(".")[0]
 _NOT_SPATIAL = {(2, 2): "a planar rotation has one angle, atan2(r21, r11)",
                 (4, 4): "take T[:3, :3], the rotation of a pose T"}
@@ -52,17 +55,21 @@ def lasting(cls: Class) -> Class:
     return cls
 
 
-def real_array(name: str, value: Any, expected: str) -> np.ndarray:
-    """The value as a new array of finite floats, or a ValueError that says what was wrong."""
+def real_array(name: str, value: Any, expected: str,
+               for_symbols: str = _PLAIN) -> np.ndarray:
+    """The value as a new array of finite floats, or a ValueError that says what was wrong.
+
+    `for_symbols` says what to do with sympy's symbols.
+    """
     try:
         array = np.asarray(value)
         if array.dtype.kind in "USMmcV":  # numpy would read the text "1" as a number
             raise TypeError
         array = _floats(array) if array.dtype == object else np.array(array, dtype=float)
     except (TypeError, ValueError, OverflowError):
-        raise ValueError(f"{name}: expected {expected}, got {brief(value)}; "
-                         "give plain numbers") from None
-    largest = max(np.max(array, initial=0.0), -np.min(array, initial=0.0))
+        advice = for_symbols if _holds_symbols(value) else _PLAIN
+        raise ValueError(f"{name}: expected {expected}, got {brief(value)}; {advice}") from None
+    largest = farthest(array)
     if not np.isfinite(largest):
         raise ValueError(f"{name}: expected finite numbers, got {brief(value)}; "
                          "look for a division by zero or an empty cell")
@@ -87,9 +94,9 @@ def shaped(name: str, value: Any, shape: tuple[int, ...], expected: str) -> np.n
     return array
 
 
-def number(name: str, value: Any) -> float:
+def number(name: str, value: Any, for_symbols: str = _PLAIN) -> float:
     """One finite number."""
-    array = real_array(name, value, "a number")
+    array = real_array(name, value, "a number", for_symbols)
     if array.shape != ():
         raise ValueError(f"{name}: expected one number, got shape {array.shape}")
     return float(array)
@@ -232,7 +239,21 @@ def components(name: str, value: Any, expected: str) -> np.ndarray:
 def angle(name: str, value: Any) -> Any:
     """An angle in radians: a plain number (so that quarter turns are exact), a batch, a symbol."""
     array = components(name, value, "an angle in radians")
+    if array.dtype != object:
+        in_radians(name, array)
     return array[()].item() if array.ndim == 0 and array.dtype != object else array[()]
+
+
+def in_radians(name: str, angles: ArrayLike) -> None:
+    """Say a word where angles go so far that they are degrees, most likely."""
+    if (angle := farthest(np.asarray(angles))) > TWO_TURNS:
+        note(f"{name}: {angle:.6g} is {angle / (2 * math.pi):.3g} turns; "
+             f"angles are in radians: np.radians({angle:.6g})")
+
+
+def farthest(numbers: np.ndarray) -> float:
+    """The largest of the numbers, whatever their signs; of none it is 0."""
+    return max(numbers.max(initial=0.0), -numbers.min(initial=0.0))
 
 
 def has_symbols(array: np.ndarray) -> bool:
@@ -256,6 +277,13 @@ def _is_sympy(entry: Any) -> bool:
 
 def _is_open(entry: Any) -> bool:
     return _is_sympy(entry) and bool(entry.free_symbols)
+
+
+def _holds_symbols(value: Any) -> bool:
+    try:
+        return has_symbols(np.asarray(value))
+    except ValueError:  # rows of different lengths
+        return False
 
 
 def _is_finite(entry: Any) -> bool:

@@ -20,16 +20,25 @@ def joint_array(arm: Arm, q: Any, name: str = "q") -> np.ndarray:
     """Joint values as an array (..., n), or a ValueError that says what was wrong."""
     check_arm(arm)
     who = f"arm '{arm.name}'" if arm.name else "this arm"
-    q = inputs.real_array(name, q, f"{arm.n} joint values in radians or {arm.unit}")
+    q = inputs.real_array(name, q, f"{arm.n} joint values in radians or {arm.unit}",
+                          "for symbols take kl.closed_form(arm) or kl.jacobian_form(arm)")
     if q.shape[-1:] != (arm.n,):
         raise ValueError(f"{name}: expected shape (..., {arm.n}) for {who}, got {q.shape}; "
                          "give one value per joint")
     return q
 
 
+def given_joints(arm: Arm, q: Any, name: str = "q") -> np.ndarray:
+    """Joint values as in `joint_array`, with a word where they look like degrees."""
+    q = joint_array(arm, q, name)
+    if inputs.farthest(q) > inputs.TWO_TURNS:  # or a slide in millimetres
+        inputs.in_radians(name, q[..., [link.kind == REVOLUTE for link in arm.joints]])
+    return q
+
+
 def one_pose(arm: Arm, q: Any) -> np.ndarray:
     """Joint values of one pose, checked."""
-    q = joint_array(arm, q)
+    q = given_joints(arm, q)
     if q.ndim != 1:
         raise ValueError(f"q: expected one pose, shape ({arm.n},), got {q.shape}; "
                          "a view shows one pose at a time")

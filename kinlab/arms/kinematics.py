@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from .arm import Arm, check_arm
-from .joints import joint_array
+from .joints import given_joints
 from .link import PRISMATIC, Link
 from .motions import ROTATE, Frame, Motion, Values, along, cross, difference, matrix, stack
 
@@ -42,7 +42,11 @@ def forward_kinematics(arm: Arm, q: Any) -> np.ndarray:
     >>> forward_kinematics(robots.alpha_ii(), [0, 0, 0, -np.pi / 2, 0])[:3, 3]
     array([485.1,   0. , 215. ])
     """
-    q = joint_array(arm, q)
+    return tool_poses(arm, given_joints(arm, q))
+
+
+def tool_poses(arm: Arm, q: np.ndarray) -> np.ndarray:
+    """`forward_kinematics` at joint values that were checked, or worked out."""
     return _matrices([tuple(chain(*arm.chain))], q)[..., 0, :, :]
 
 
@@ -72,7 +76,11 @@ def link_frames(arm: Arm, q: Any) -> np.ndarray:
     >>> link_frames(robots.two_link(), [0, 0])[:, 0, 3]
     array([0., 0., 1.])
     """
-    q = joint_array(arm, q)
+    return frame_poses(arm, given_joints(arm, q))
+
+
+def frame_poses(arm: Arm, q: np.ndarray) -> np.ndarray:
+    """`link_frames` at joint values that were checked, or worked out."""
     return _matrices(arm.chain[:-1], q)
 
 
@@ -105,7 +113,7 @@ def jacobian(arm: Arm, q: Any) -> np.ndarray:
     array([[0., 0.],
            [2., 1.]])
     """
-    q = joint_array(arm, q)
+    q = given_joints(arm, q)
     motions = tuple(chain(*arm.chain))
     if q.ndim == 1:
         return stack([*zip(*tool_and_twists(motions, q.tolist())[1])])

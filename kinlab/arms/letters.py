@@ -43,7 +43,7 @@ def letters(arm: Arm, lengths: Any, symbols: Any) -> tuple[dict[Cell, sp.Expr], 
     if isinstance(lengths, Mapping) and lengths:
         values |= {_symbol("lengths", name): inputs.number(f"lengths[{name!r}]", value)
                    for name, value in lengths.items()}
-        cells |= {} if symbols else _found(arm, values)
+        cells |= _found(arm, values) if symbols == () else {}
     elif inputs.choice("lengths", lengths, ("numbers", "symbols")) == "symbols":
         cells |= _textbook(arm, _LENGTHS + _ENDS, values)
     if isinstance(symbols, Mapping):
@@ -128,6 +128,9 @@ def _found(arm: Arm, values: Values) -> dict[Cell, sp.Expr]:
             raise ValueError(f"lengths: both {alike[0]} and {alike[1]} are {number:g}; say which "
                              f"stands where, symbols={{({cell[0]}, {cell[1]!r}): '{alike[0]}'}}")
         cells[cell] = alike[0]
+    if not cells:
+        raise ValueError("lengths: expected 'numbers' or 'symbols', or names of lengths that the "
+                         f"arm has, got {inputs.brief({str(s): v for s, v in values.items()})}")
     return cells
 
 

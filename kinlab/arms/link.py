@@ -9,6 +9,7 @@ from . import inputs
 REVOLUTE, PRISMATIC, FIXED = "revolute", "prismatic", "fixed"
 KINDS = (REVOLUTE, PRISMATIC, FIXED)
 PARAMETERS = ("theta", "d", "a", "alpha")
+_FOR_SYMBOLS = "give a number, and kl.closed_form(arm, symbols=...) writes symbols for it"
 _VARIABLE = {REVOLUTE: "theta", PRISMATIC: "d", FIXED: None}
 
 
@@ -29,7 +30,7 @@ class Link:
     def __post_init__(self) -> None:
         inputs.choice("kind", self.kind, KINDS)
         for parameter in PARAMETERS:
-            value = inputs.number(parameter, getattr(self, parameter))
+            value = inputs.number(parameter, getattr(self, parameter), _FOR_SYMBOLS)
             object.__setattr__(self, parameter, value)
         if self.limits is not None:
             object.__setattr__(self, "limits", _limits(self.limits))
@@ -90,7 +91,7 @@ def revolute(*positional: Any, theta: float = 0, d: float = 0, a: float = 0, alp
     'revolute'
     """
     _refuse_unnamed(REVOLUTE, positional)
-    return Link(REVOLUTE, theta, d, a, alpha, limits, name, flip)
+    return _in_radians(Link(REVOLUTE, theta, d, a, alpha, limits, name, flip))
 
 
 def prismatic(*positional: Any, theta: float = 0, d: float = 0, a: float = 0, alpha: float = 0,
@@ -107,7 +108,7 @@ def prismatic(*positional: Any, theta: float = 0, d: float = 0, a: float = 0, al
     (0.0, 0.4)
     """
     _refuse_unnamed(PRISMATIC, positional)
-    return Link(PRISMATIC, theta, d, a, alpha, limits, name, flip)
+    return _in_radians(Link(PRISMATIC, theta, d, a, alpha, limits, name, flip))
 
 
 def fixed(*positional: Any, theta: float = 0, d: float = 0, a: float = 0, alpha: float = 0,
@@ -122,7 +123,7 @@ def fixed(*positional: Any, theta: float = 0, d: float = 0, a: float = 0, alpha:
     True
     """
     _refuse_unnamed(FIXED, positional)
-    return Link(FIXED, theta, d, a, alpha, name=name)
+    return _in_radians(Link(FIXED, theta, d, a, alpha, name=name))
 
 
 def variable_of(kind: str) -> str | None:
@@ -140,6 +141,15 @@ def _refuse_unnamed(kind: str, positional: tuple) -> None:
         raise TypeError(f"{kind}: expected numbers with their names, got "
                         f"{', '.join(map(inputs.brief, positional))}; write {kind}(theta=..., "
                         "d=..., a=..., alpha=...)")
+
+
+def _in_radians(link: Link) -> Link:
+    """The link, with a word where its angles look like degrees."""
+    for name in ("theta", "alpha"):
+        inputs.in_radians(name, getattr(link, name))
+    if link.kind == REVOLUTE and link.limits:
+        inputs.in_radians("limits", link.limits)
+    return link
 
 
 def _limits(limits: Any) -> tuple[float, float]:

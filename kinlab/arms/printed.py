@@ -82,11 +82,16 @@ def joint_numbers(links: Sequence[HasKind]) -> list[int]:
 
 def _number(link: Link, parameter: str, i: int) -> str:
     value = getattr(link, parameter) + 0.0  # no -0
-    text = f"{math.degrees(value):.6g}°" if parameter in _ANGLES else f"{value:.6g}"
+    text = f"{math.degrees(value):.6g}°" if parameter in _ANGLES else _length(value)
     if parameter != link.variable:
         return text
     variable = f"{'-' * link.flip}{HEADS['standard'][parameter]}{i}*"
     return f"{variable} {'-' if value < 0 else '+'} {text.lstrip('-')}" if value else variable
+
+
+def _length(value: float) -> str:
+    """Six digits, or all before the point: 1234567, not 1.23457e+06."""
+    return f"{value:.0f}" if abs(value) >= 1e6 else f"{value:.6g}"
 
 
 def _sign(link: Link, parameter: str, _: int) -> str:

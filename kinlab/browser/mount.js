@@ -6,7 +6,7 @@ import { Bar } from "./bar.js";
 import { Chart } from "./chart.js";
 import { follower } from "./chase.js";
 import { Controls } from "./controls.js";
-import { OWN_KEYS, make, write } from "./dom.js";
+import { OWN_KEYS, make, number, write } from "./dom.js";
 import { fitFormula } from "./formula.js";
 import { inRoom, seenFrom } from "./frames.js";
 import { Grasp } from "./grasp.js";
@@ -34,11 +34,11 @@ const HEARD = 400;                                  // ms: a screen reader need 
  * @param {number[]} q
  */
 function limits(knobs, q) {
-  return knobs.flatMap(({ label, suffix, scale, low, high, whole }, i) => {
+  return knobs.flatMap(({ label, suffix, scale, low, high, whole, digits }, i) => {
     if (whole || low === high) return [];           // a last stage and a lock are no limits
     const slack = 1e-6 * (high - low);
     if (q[i] > low + slack && q[i] < high - slack) return [];
-    const at = String(Number((q[i] / scale).toFixed(3))).replace("-", "\u2212");
+    const at = number(q[i] / scale, Math.max(3, digits)).replace(/\.?0+$/, "");
     return `${label} is at its limit, ${at}${suffix}`;
   }).join("; ");
 }

@@ -57,7 +57,8 @@ class Knob:
     @property
     def ends(self) -> tuple[float, float]:
         """Lowest and highest value as the slider shows them: -120, not -119.99999999999999."""
-        return round(self.low / self.scale, 9), round(self.high / self.scale, 9)
+        low, high = (float(f"{end / self.scale:.12g}") for end in (self.low, self.high))
+        return low, high
 
     @property
     def digits(self) -> int:

@@ -5,7 +5,7 @@ import numpy as np
 
 from ..arms.arm import Arm
 from ..arms.joints import joint_range, joint_ranges
-from ..arms.kinematics import forward_kinematics, link_frames
+from ..arms.kinematics import frame_poses, tool_poses
 from ..arms.link import PRISMATIC
 from ..arms.motions import Motion, Numbers, along, matrix
 
@@ -90,8 +90,8 @@ def _poses_tried(arm: Arm) -> np.ndarray:
 
 def _reach(arm: Arm, poses: np.ndarray) -> tuple[np.ndarray, float]:
     """Centre and radius of a sphere that holds the arm at every pose."""
-    points = np.concatenate([link_frames(arm, poses)[..., :3, 3].reshape(-1, 3),
-                             forward_kinematics(arm, poses)[..., :3, 3], np.zeros((1, 3))])
+    points = np.concatenate([frame_poses(arm, poses)[..., :3, 3].reshape(-1, 3),
+                             tool_poses(arm, poses)[..., :3, 3], np.zeros((1, 3))])
     center = (points.min(axis=0) + points.max(axis=0)) / 2
     center[np.abs(center) < 0.05 * np.ptp(points)] = 0
     farthest = float(np.max(np.linalg.norm(points - center, axis=1)))

@@ -8,7 +8,7 @@ from typing import Protocol
 import numpy as np
 
 from ..arms.arm import Arm
-from ..arms.kinematics import forward_kinematics, link_frames, typical_length
+from ..arms.kinematics import frame_poses, tool_poses, typical_length
 from ..arms.motions import TRANSLATE
 from .arm_scene import arm_scene, is_planar
 from .chart import Chart, Curve
@@ -74,7 +74,7 @@ class _Solves(Sketch):
                     step.amount + step.gain * value for value in tracks[step.joint]))
             self.steps.append(step)
         self.lay((item for item in self.drawing.items if not item.layer), root, f"{method}-")
-        self._way(method, root, forward_kinematics(self.arm, joints)[:, :3, 3])
+        self._way(method, root, tool_poses(self.arm, joints)[:, :3, 3])
         self._target(method, root)
         self._name(k, method)
         self._errors(k, method, trail)
@@ -100,8 +100,8 @@ class _Solves(Sketch):
 
     def _box(self, joints: np.ndarray) -> np.ndarray:
         """Lowest and highest corner of what an arm needs at all its steps, and of the goal."""
-        places = np.concatenate([link_frames(self.arm, joints)[..., :3, 3].reshape(-1, 3),
-                                 forward_kinematics(self.arm, joints)[:, :3, 3], [self.goal]])
+        places = np.concatenate([frame_poses(self.arm, joints)[..., :3, 3].reshape(-1, 3),
+                                 tool_poses(self.arm, joints)[:, :3, 3], [self.goal]])
         edge = _EDGE * self.reach
         return np.array([places.min(axis=0) - edge, places.max(axis=0) + edge])
 

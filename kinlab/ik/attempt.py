@@ -6,7 +6,7 @@ from math import degrees
 
 import numpy as np
 
-from ..arms.kinematics import forward_kinematics, typical_length
+from ..arms.kinematics import tool_poses, typical_length
 from .descent import METHODS, search, singular_values
 from .task import Task, rotation_vectors, seen_from
 
@@ -72,7 +72,7 @@ class Attempt:
 
     def _misses(self) -> np.ndarray:
         """Position error (arm's unit) and rotation error (rad), shape (2, m)."""
-        poses = forward_kinematics(self.task.arm, self.q)
+        poses = tool_poses(self.task.arm, self.q)
         R, R_target = poses[:, :3, :3], self.targets[:, :3, :3]
         offset = np.einsum("mji,mj->im", R_target, poses[:, :3, 3] - self.targets[:, :3, 3])
         turn = rotation_vectors(np.einsum("mki,mkj->jim", R_target, R))

@@ -13,7 +13,8 @@ import numpy as np
 
 from ..arms import inputs
 from ..arms.arm import Arm, check_arm
-from ..arms.kinematics import forward_kinematics
+from ..arms.joints import given_joints
+from ..arms.kinematics import tool_poses
 from .attempt import RESTARTS, STEPS, Attempt, Iterate
 from .descent import METHODS, Trail
 from .task import Task
@@ -114,7 +115,7 @@ def inverse_kinematics(arm: Arm, target: Any, q0: Any = None, *, method: str = "
 
     Examples
     --------
-    >>> from kinlab import robots
+    >>> from kinlab import forward_kinematics, robots
     >>> arm = robots.intelledex_660t()
     >>> target = forward_kinematics(arm, [0.1, 0.2, 0.3, 0.4, 0.5, 0.6])
     >>> inverse_kinematics(arm, target).success
@@ -128,7 +129,7 @@ def inverse_kinematics(arm: Arm, target: Any, q0: Any = None, *, method: str = "
     attempt = Attempt(task, poses, _starts(arm, q0, ()), trail=[], **options)
     position, rotation = attempt.misses[:, 0].tolist()
     return InverseResult(attempt.q[0], bool(attempt.success[0]), int(attempt.iterations[0]),
-                         position, rotation, forward_kinematics(arm, attempt.q[0]),
+                         position, rotation, tool_poses(arm, attempt.q[0]),
                          attempt.history(), attempt)
 
 
@@ -217,7 +218,7 @@ def _starts(arm: Arm, q0: Any, lead: tuple[int, ...]) -> np.ndarray:
     shape = (*lead, arm.n)
     if q0 is None:
         return np.broadcast_to(arm.home, (*(lead or (1,)), arm.n))
-    q0 = inputs.real_array("q0", q0, f"{arm.n} joint values")
+    q0 = given_joints(arm, q0, "q0")
     if q0.shape not in (shape, (arm.n,)):
         raise ValueError(f"q0: expected shape {shape}, got {q0.shape}; give one value per joint")
     return np.broadcast_to(q0, (*(lead or (1,)), arm.n))

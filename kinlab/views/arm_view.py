@@ -15,7 +15,7 @@ from ..arms.link import REVOLUTE
 from ..browser import mathml
 from ..drawing.arm_scene import arm_scene
 from ..drawing.scene import SPATIAL
-from .live import Control, LiveView, numbers
+from .live import DECIMALS, Control, LiveView, numbers
 
 
 class JointView(LiveView):
@@ -39,7 +39,8 @@ class JointView(LiveView):
     def _words(self) -> str:
         """The name, and the joint values as the sliders show them."""
         name = f"{self.arm.name!r}, " if self.arm.name else ""
-        return name + f"q={joints_text(self.arm, [joint.value for joint in self.joints])}"
+        values = [joint.value for joint in self.joints]
+        return name + f"q={joints_text(self.arm, values, self.decimals)}"
 
 
 class ArmView(JointView):
@@ -123,15 +124,18 @@ class ArmView(JointView):
         self._replace(arm_scene(arm, show=self._scene.shown), q)
 
     def __repr__(self) -> str:
-        return f"ArmView({self._words()}, p=[{numbers(self.T[:3, 3])}] {self.arm.unit})"
+        p = numbers(self.T[:3, 3], self.decimals)
+        return f"ArmView({self._words()}, p=[{p}] {self.arm.unit})"
 
 
-def joints_text(arm: Arm, values: Sequence[float]) -> str:
+def joints_text(arm: Arm, values: Sequence[float], digits: int = DECIMALS) -> str:
     """Joint values in degrees and lengths, as text with their units."""
     units = ["deg" if link.kind == REVOLUTE else arm.unit for link in arm.joints]
     if set(units) == {"deg"}:
         return f"[{numbers(values)}] deg"
-    return "[" + ", ".join(f"{numbers([v])} {unit}" for v, unit in zip(values, units)) + "]"
+    texts = (f"{numbers([value], DECIMALS if unit == 'deg' else digits)} {unit}"
+             for value, unit in zip(values, units))
+    return f"[{', '.join(texts)}]"
 
 
 def formula_of(arm: Arm, latex: str) -> str:

@@ -15,9 +15,10 @@ from ..arms import inputs
 from ..arms.motions import Numbers
 from ..browser import bundle, page
 from ..drawing import worker
-from ..drawing.controls import Knob
+from ..drawing.controls import Knob, decimals
 from ..drawing.scene import Scene
 
+DECIMALS = 4  # of numbers in words, where nothing asks for more
 
 class KnobValue(traitlets.TraitType):
     """The value of a knob in its slider's unit, kept within the knob's limits."""
@@ -77,7 +78,8 @@ class Control:
         self._view.observe(handler, self.name)
 
     def __repr__(self) -> str:
-        return f"{self.description}: {numbers([self.value])}, from {self.min:g} to {self.max:g}"
+        value = numbers([self.value], self._view.decimals)
+        return f"{self.description}: {value}, from {self.min:g} to {self.max:g}"
 
 
 class LiveView(anywidget.AnyWidget):
@@ -125,6 +127,11 @@ class LiveView(anywidget.AnyWidget):
 
     def __getitem__(self, name: str) -> Control:
         return Control(self, self.knob(name))
+
+    @property
+    def decimals(self) -> int:
+        """Decimals of numbers in words; an arm of a few hundredths of its unit has more."""
+        return max(DECIMALS, decimals(self._scene.radius))
 
     @property
     def controls(self) -> list[Control]:
@@ -190,11 +197,12 @@ class LiveView(anywidget.AnyWidget):
         return worker.png(self._scene, self._values, self._scene.seen_from, self._scene.shown)
 
     def __repr__(self) -> str:
-        values = [f"{knob.name}={numbers([getattr(self, knob.name)])}{knob.suffix}"
+        values = [f"{knob.name}={numbers([getattr(self, knob.name)], self.decimals)}{knob.suffix}"
                   for knob in self._scene.knobs]
         read = self.readings
-        formulas = [reading.text.format(*map(_said, read[reading.name]))
-                    for reading in self._scene.readings]
+        formulas = [
+            reading.text.format(*(_said(part, self.decimals) for part in read[reading.name]))
+            for reading in self._scene.readings]
         return "\n".join([f"{type(self).__name__}({', '.join([repr(self._scene.name), *values])})",
                           *formulas])
 
@@ -303,12 +311,12 @@ class LiveView(anywidget.AnyWidget):
             if abs(reached - value) > 1e-9 * (knob.high - knob.low))
 
 
-def _said(values: Numbers | str) -> str:
+def _said(values: Numbers | str, digits: int) -> str:
     if isinstance(values, str):
         return values
-    return f"({numbers(values)})" if len(values) > 1 else numbers(values)
+    return f"({numbers(values, digits)})" if len(values) > 1 else numbers(values, digits)
 
 
-def numbers(values: Numbers) -> str:
-    """Values as text, rounded to four decimals."""
-    return ", ".join(f"{round(float(value), 4) + 0.0:.8g}" for value in values)
+def numbers(values: Numbers, digits: int = DECIMALS) -> str:
+    """Values as text, rounded to so many decimals."""
+    return ", ".join(f"{round(float(value), digits) + 0.0:.8g}" for value in values)

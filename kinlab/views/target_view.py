@@ -89,8 +89,9 @@ class TargetView(JointView):
         return float(np.linalg.norm(self.target - self.T[:3, 3]))
 
     def __repr__(self) -> str:
-        return (f"TargetView({self._words()}, target=[{numbers(self.target)}] {self.arm.unit}, "
-                f"error={numbers([self.error])} {self.arm.unit})")
+        target, error = (numbers(values, self.decimals) for values in (self.target, [self.error]))
+        return (f"TargetView({self._words()}, target=[{target}] {self.arm.unit}, "
+                f"error={error} {self.arm.unit})")
 
     def _riding(self, q: np.ndarray) -> list[float]:
         """Joint values, and after them the coordinates of a target that rides on the tool."""

@@ -2,6 +2,7 @@
 import warnings
 from decimal import Decimal
 from fractions import Fraction
+from math import pi
 
 import numpy as np
 import pytest
@@ -12,6 +13,7 @@ from strategies import rotations
 from textbook import rigid, turn
 
 import kinlab as kl
+from kinlab.arms import inputs
 from kinlab.arms.inputs import RIGID_TOLERANCE, Note, note, real_array, rotation
 
 
@@ -192,3 +194,66 @@ def test_exact_numbers_stay_exact():
 def test_what_is_no_rotation_in_space_is_told_what_to_give(solve, given, help):
     with pytest.raises(ValueError, match=rf"^R: expected a rotation of shape .*, got {help}$"):
         solve(given)
+
+
+TWO = kl.robots.two_link()
+
+
+@pytest.mark.parametrize("call, words", [
+    (lambda: kl.revolute(alpha=90), "alpha: 90 is 14.3 turns; angles are in radians: "
+                                    "np.radians(90)"),
+    (lambda: kl.revolute(theta=-45), "theta: 45 is 7.16 turns"),
+    (lambda: kl.prismatic(alpha=90), "alpha: 90 is"),
+    (lambda: kl.fixed(alpha=180), "alpha: 180 is"),
+    (lambda: kl.revolute(limits=(-170, 170)), "limits: 170 is"),
+    (lambda: kl.forward_kinematics(TWO, [90, 45]), "q: 90 is"),
+    (lambda: kl.forward_kinematics(TWO, np.full((3, 4, 2), -30.5)), "q: 30.5 is 4.85 turns"),
+    (lambda: kl.link_frames(TWO, [0, 45]), "q: 45 is"),
+    (lambda: kl.jacobian(TWO, [0, 45]), "q: 45 is"),
+    (lambda: kl.ArmView(TWO, [0, 45]), "q: 45 is"),
+    (lambda: kl.inverse_kinematics(TWO, [1, 1, 0], [0, 45]), "q0: 45 is"),
+    (lambda: kl.rotation_z(90), "angle: 90 is"),
+])
+def test_degrees_are_taken_with_a_word(call, words):
+    with pytest.warns(inputs.Note) as said:
+        call()
+    assert str(said[0].message).startswith(words)
+    assert len(said) == 1 and said[0].filename == __file__
+
+
+@pytest.mark.parametrize("call", [
+    lambda: kl.revolute(alpha=4 * pi, theta=-4 * pi, limits=(-12.5, 12.5), d=900, a=-900),
+    lambda: kl.prismatic(d=300, limits=(0, 400)),
+    lambda: kl.forward_kinematics(TWO, [4 * pi, -7]),
+    lambda: kl.forward_kinematics(kl.robots.cylindrical(), [3, 400, -400]),
+    lambda: kl.forward_kinematics(TWO, np.zeros((0, 2))),
+    lambda: kl.inverse_kinematics(kl.robots.alpha_ii(), [300, 100, 200]),
+    lambda: kl.rotation_x(sp.Symbol("t")),
+])
+def test_radians_and_lengths_are_taken_without_a_word(call):
+    with warnings.catch_warnings():
+        warnings.simplefilter("error", inputs.Note)
+        call()
+
+
+@pytest.mark.parametrize("call", [kl.forward_kinematics, kl.link_frames, kl.jacobian, kl.ArmView])
+def test_symbols_in_a_pose_lead_to_the_closed_form(call):
+    with pytest.raises(ValueError, match=r"got \(q1, q2\); for symbols take kl.closed_form\(arm\)"):
+        call(TWO, sp.symbols("q1 q2"))
+    with pytest.raises(ValueError, match=r"^q: .* give plain numbers$"):
+        call(TWO, ["1", "2"])
+
+
+def test_symbols_in_a_row_lead_to_the_closed_form():
+    with pytest.raises(ValueError, match=r"^a: .* a1; .*kl.closed_form\(arm, symbols=...\)"):
+        kl.revolute(a=sp.Symbol("a1"))
+
+
+@pytest.mark.parametrize("rows", [[[0, 0.1, 0, 90]], np.array([[0, 0.1, 0, 90]]),
+                                  [(0, 0.1, 0, 90)], [{"theta": 0}], "abc"])
+def test_rows_without_names_are_refused_with_an_example(rows):
+    with pytest.raises(ValueError, match=r"as row 1; name its numbers: revolute\(theta=0, d=0.1, "
+                                         r"a=0, alpha=np.radians\(90\)\)$"):
+        kl.Arm(rows)
+    with pytest.raises(ValueError, match="as row 2; "):
+        kl.Arm([kl.revolute(), *rows])

@@ -42,6 +42,7 @@ def test_what_stands_in_which_cell():
     assert form.entries[0][3] == "L1*C1 + L2*C12"
     same = kl.closed_form(kl.Arm([r(a=1), r(a=-1)]), symbols={(1, "a"): L1, (2, "a"): -L1})
     assert same.entries[0][3] == "L1*(C1 - C12)"
+    assert kl.closed_form(TWO, lengths={"L1": 0.5}, symbols={}).text == kl.closed_form(TWO).text
     one = kl.closed_form(kl.Arm([r(a=1), r(a=1)]), lengths={"L1": 1}, symbols={(1, "a"): "L1"})
     assert one.entries[0][3] == "L1*C1 + C12"  # the other 1 is a number there
 
@@ -103,6 +104,7 @@ def test_every_symbol_has_the_value_that_makes_it_the_arm():
     (TWO, {"lengths": {"L 1": 0.5}}, "'L 1' cannot stand for a number"),
     (TWO, {"lengths": {"C1": 0.5}}, "'C1' cannot stand for a number"),
     (TWO, {"lengths": {"L1": "0.5"}}, "lengths['L1']: expected a number"),
+    (TWO, {"lengths": {"L1": 50}}, "names of lengths that the arm has, got {'L1': 50.0}"),
     (kl.Arm([r(a=1), r(a=1)]), {"lengths": {"L1": 1, "L2": 1}},
      "both L1 and L2 are 1; say which stands where, symbols={(1, 'a'): 'L1'}"),
     (TWO, {"symbols": "beta"}, "symbols: expected 'theta' or 'd' or 'a' or 'alpha', got 'beta'"),

@@ -249,3 +249,26 @@ def test_two_views_do_not_move_each_other():
     assert one.model_id != other.model_id
     one.q[0] = 99  # a copy: changing it moves nothing
     close(one.q[0], radians(12))
+
+
+@pytest.mark.parametrize("size, words", [
+    (1e-7, "ArmView(q=[30 deg, 5.88e-08 m], p=[8.66e-08, 5e-08, 5.88e-08] m)"),
+    (1e-5, "ArmView(q=[30 deg, 5.88e-06 m], p=[8.66e-06, 5e-06, 5.88e-06] m)"),
+    (4e-3, "ArmView(q=[30 deg, 0.002353 m], p=[0.003464, 0.002, 0.002353] m)"),
+    (1, "ArmView(q=[30 deg, 0.5882 m], p=[0.866, 0.5, 0.5882] m)"),
+    (1e5, "ArmView(q=[30 deg, 58823.529 m], p=[86602.54, 50000, 58823.529] m)")])
+def test_a_pose_has_digits_that_fit_the_arm(size, words):
+    """86.6 % of the arm's size is told, whatever that is; metres have four decimals."""
+    arm = kl.Arm([kl.revolute(a=size), kl.prismatic(limits=(0, size))])
+    view = kl.ArmView(arm, [np.pi / 6, size / 1.7])
+    assert repr(view) == words
+    assert view.scene["pose"]["decimals"] <= view.decimals
+    assert repr(view.joints[1]).startswith(f"d₂ (m): {words.split('deg, ')[1].split(' m')[0]}, ")
+    assert repr(view.joints[1]).endswith(f"from 0 to {size:g}")
+
+
+def test_a_small_target_and_a_small_reading_have_digits():
+    arm = kl.Arm([kl.revolute(a=1e-5), kl.revolute(a=1e-5)])
+    assert repr(kl.TargetView(arm, [0, np.pi / 2])) == (
+        "TargetView(q=[0, 90] deg, target=[1e-05, 1e-05, 0] m, error=0 m)")
+    assert "J₁ = (0, 2e-05) m/rad" in repr(kl.velocity_view(arm, [0, 0]))
