@@ -656,6 +656,7 @@ Link\tJoint Variable\tri\tαi\tdi\tθi\tRange
 6\tθ6\td6\t90°\t0\tθ6− 90°\t − 90° to 90°
 """, ((0, 0.2, 0, -90), (-180, 0, 0.5, -180), (-90, 0.1, 0, -90), (0, 0, 0, 0), (0, 0.3, 0, -90),
       (-90, 0, 0.06, 90)), kinds="RRRPRR",
+        marked=((2, "theta"),),  # a misprint: this row names another row's variable
         lengths={"d1": 0.2, "d2": 0.5, "d3": 0.1, "d5": 0.3, "d6": 0.06}),
     Published(
         "3R arm with Chinese heads",
