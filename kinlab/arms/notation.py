@@ -14,7 +14,7 @@ from functools import lru_cache, reduce
 
 import sympy as sp
 
-DIGITS = 12
+DIGITS = 12  # of decimals; on paper those of sines and cosines of odd angles have fewer
 _LARGEST_WHOLE = 999  # in a fraction or a root that still tells more than its decimal
 
 
@@ -27,6 +27,7 @@ class Style:
     group: str
     power: str
     function: str
+    digits: int
     name: Callable[[str], str]
     other: Callable[[sp.Expr], str]
 
@@ -47,9 +48,9 @@ def _latex_name(name: str) -> str:
 
 
 TEXT = Style(times="*", subscript="{}", group="({})", power="{}**{}", function="{}({})",
-             name=plain_name, other=sp.sstr)
+             digits=DIGITS, name=plain_name, other=sp.sstr)
 LATEX = Style(times=" ", subscript="_{{{}}}", group=r"\left({}\right)", power="{}^{{{}}}",
-              function=r"\{}{{\left({} \right)}}", name=_latex_name, other=sp.latex)
+              function=r"\{}{{\left({} \right)}}", digits=6, name=_latex_name, other=sp.latex)
 
 
 def text(expression: sp.Expr, joints: Sequence[sp.Symbol]) -> str:
@@ -122,11 +123,12 @@ class _Writer:
         if angle is sp.pi:
             return self.style.other(number * angle)
         if angle is sp.S.One:
-            return _decimal(number)
+            return self._decimal(number)
         if not angle.is_Symbol:
             return self.style.other(number * angle)
         name = self.style.other(angle) if angle in self.places else self.style.name(angle.name)
-        return {1: name, -1: f"-{name}"}.get(number) or _decimal(number) + self.style.times + name
+        return {1: name, -1: f"-{name}"}.get(number) or (
+            self._decimal(number) + self.style.times + name)
 
     def _places(self, function: sp.Function) -> list[tuple[int, int]]:
         """(joint number, sign) of each angle in the argument; empty if it is not such a sum."""
@@ -142,9 +144,14 @@ class _Writer:
         wholes = [whole for part in number.atoms(sp.Rational) for whole in (part.p, part.q)]
         if number.has(sp.Float) or _is_decimal(number) or any(
                 abs(whole) > _LARGEST_WHOLE for whole in wholes):
-            return _decimal(number)
+            return self._decimal(number)
         written = self.style.other(number)
         return self.style.group.format(written) if number.is_Add else written
+
+    def _decimal(self, number: sp.Expr) -> str:
+        """A number as a decimal, without an exponent."""
+        with localcontext(prec=self.style.digits if number.has(sp.Float) else DIGITS):
+            return f"{(+Decimal(str(sp.N(number, 2 * DIGITS)))).normalize():f}"
 
     def _factor_order(self, factor: sp.Expr) -> tuple:
         """Lengths, then sines and cosines along the chain, then sliding joints, then groups."""
@@ -205,9 +212,3 @@ def _degree(expression: sp.Expr) -> int:
 
 def _is_decimal(number: sp.Expr) -> bool:
     return number.is_Rational and set(sp.factorint(number.q)) <= {2, 5}
-
-
-def _decimal(number: sp.Expr) -> str:
-    """A number as a decimal, without an exponent."""
-    with localcontext(prec=DIGITS):
-        return f"{(+Decimal(str(sp.N(number, 2 * DIGITS)))).normalize():f}"

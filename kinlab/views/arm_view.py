@@ -3,6 +3,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
+from html import escape
 from typing import Any
 
 import numpy as np
@@ -144,10 +145,16 @@ def formula_of(arm: Arm, latex: str) -> str:
     return mathml.named(latex, arm.n, slides)
 
 
+def remarks_html(*remarks: str) -> str:
+    """Lines under a formula; empty ones are left out."""
+    return "".join(f"<p>{escape(remark)}</p>" for remark in remarks if remark)
+
+
 def _closed_form(arm: Arm) -> str:
     from ..arms.symbolic import closed_form
 
-    return formula_of(arm, closed_form(arm).latex)
+    form = closed_form(arm)
+    return formula_of(arm, form.latex) + remarks_html(form.remark)
 
 
 def _poses(arm: Arm, poses: Any) -> np.ndarray:

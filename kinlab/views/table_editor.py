@@ -28,7 +28,7 @@ from ..tables.other_convention import other_reading
 from ..tables.question import Ambiguous
 from ..tables.read import read_table
 from ..tables.table import DHTable, Row
-from .arm_view import ArmView, formula_of, joints_text
+from .arm_view import ArmView, formula_of, joints_text, remarks_html
 from .table_panels import (
     compared_html,
     ends_text,
@@ -36,7 +36,6 @@ from .table_panels import (
     lengths_text,
     named_cells,
     reasons,
-    remarks_html,
     signs_html,
     state,
     table_text,

@@ -114,10 +114,6 @@ def lengths_of(table: DHTable) -> dict[str, float]:
             for k, (name, _) in enumerate(table.lengths, start=1)}
 
 
-def remarks_html(*remarks: str) -> str:
-    return "".join(f"<p>{escape(remark)}</p>" for remark in remarks if remark)
-
-
 def signs_html(arm: Arm) -> str:
     signs = printed.html(printed.sign_rows(arm.links), '<table aria-label="Signs">')
     return (f'<div class="kl-signs">{signs}<div>'

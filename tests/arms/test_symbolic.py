@@ -451,7 +451,7 @@ def test_notation_of_other_expressions():
         sp.cos(2 * t1): ("cos(2*theta_1)", r"\cos{\left(2 \theta_{1} \right)}"),
         sp.Symbol("L"): ("L", "L"),
         sp.sqrt(a): ("sqrt(a_1)", r"\sqrt{a_{1}}"),
-        0.5 * sp.sin(t1) / 3: ("0.166666666667*S1", "0.166666666667 S_{1}"),
+        0.5 * sp.sin(t1) / 3: ("0.166666666667*S1", "0.166667 S_{1}"),
         sp.cos(sp.pi / 12) * sp.cos(t2): (
             "(sqrt(2)/4 + sqrt(6)/4)*C2",
             r"\left(\frac{\sqrt{2}}{4} + \frac{\sqrt{6}}{4}\right) C_{2}"),

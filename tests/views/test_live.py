@@ -272,3 +272,9 @@ def test_a_small_target_and_a_small_reading_have_digits():
     assert repr(kl.TargetView(arm, [0, np.pi / 2])) == (
         "TargetView(q=[0, 90] deg, target=[1e-05, 1e-05, 0] m, error=0 m)")
     assert "J₁ = (0, 2e-05) m/rad" in repr(kl.velocity_view(arm, [0, 0]))
+
+
+def test_a_remark_on_rounded_angles_stands_under_the_closed_form():
+    arm = kl.Arm([kl.revolute(a=1, alpha=1.5708)])
+    formula = kl.ArmView(arm, closed_form=True).formula
+    assert formula.endswith("</math><p>alpha1 = 1.5708 looks rounded: it is taken as pi/2.</p>")
