@@ -5,7 +5,7 @@ import csv
 import io
 import re
 from collections import Counter
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 
 from .programs import program_lines
 
@@ -18,7 +18,8 @@ _LONGEST_CELL, _MOST_CELLS = 1000, 30
 _COMMENTED = re.compile(r"^[ \t]*(?:%+|#+|//+)[ \t]?")
 _IN_BRACKETS = re.compile(r"^[ \t]*[\[(]", re.MULTILINE)
 _ASSIGNED = re.compile(r"=\s{0,9}[\w.]{0,30}\(?[ \t]*[\[(]")
-_INLINE = ("sub", "sup")
+_SIGNS = {"sub": "_{", "sup": "^{"}
+_BLOCKS = ("table", "caption", "p", "div", "br", "h1", "h2", "h3", "li")
 _LATEX = re.compile(r"\\begin\s*\{(tabular[x*]?|longtable|array|[bBpvV]?matrix\*?|aligned|cases)\}")
 _LATEX_COLUMNS = re.compile(r"\s*(?:\[[^\]]{0,20}\])?(?:\s*\{(?:[^{}]|\{[^{}]{0,40}\}){0,120}\})")
 _LATEX_LINES = re.compile(r"\\(?:hline|toprule|midrule|bottomrule|addlinespace|centering|small|"
@@ -188,25 +189,17 @@ class _Page:
             line[-1] += " ".join(f"|{words}|".split())[1:-1]
 
     def tag(self, tag: str, end: bool, attributes: str) -> None:
-        doing: dict[str, Callable[[], None]] = {
-            "tr": self._row, "td": lambda: self._cell(attributes),
-            "th": lambda: self._cell(attributes)}
-        if tag in ("script", "style"):
+        if tag in ("td", "th") and not end:
+            self._cell(attributes)
+        elif tag in _SIGNS and not self._hidden:
+            self.write("}" if end else _SIGNS[tag])
+        elif tag == "tr":
+            self._in_row = not end
+            self.lines.append([""] if end else [])
+        elif tag in ("script", "style"):
             self._hidden = not end
-        elif tag in _INLINE and not self._hidden:
-            self.write("}" if end else "_{" if tag == "sub" else "^{")
-        elif tag in doing and not end:
-            doing[tag]()
-        elif tag in ("table", "caption", "p", "div", "br", "h1", "h2", "h3",
-                     "li") and not self._in_row:
+        elif tag in _BLOCKS and not self._in_row:
             self.lines.append([""])
-        elif tag == "tr" and end:
-            self._in_row = False
-            self.lines.append([""])
-
-    def _row(self) -> None:
-        self._in_row = True
-        self.lines.append([])
 
     def _cell(self, attributes: str) -> None:
         span = _SPAN.search(attributes)

@@ -43,11 +43,12 @@ def angle_of(text: str, of_column: str, of_table: str) -> str:
     Examples
     --------
     >>> angle_of("-90°", "deg", "deg"), angle_of("-90°", "rad", "rad"), angle_of("90", "deg", "rad")
-    ('-90', '-90 deg', 'pi/2')
+    ('-90', '-pi/2', 'pi/2')
     """
     text = " ".join(text.replace("°", " deg ").split())
-    if (match := _DEGREES.fullmatch(text)) and of_table == "deg":
-        return match[1].strip("+") + match[2]
+    if match := _DEGREES.fullmatch(text):
+        return angle_in(match[1].strip("+") + match[2], "deg", of_table) if of_table == "rad" \
+            else match[1].strip("+") + match[2]
     return angle_in(text, of_column, of_table) if of_column != of_table in ANGLES else text
 
 

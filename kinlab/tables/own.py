@@ -12,7 +12,7 @@ from .cells import line
 from .grid import Lines
 from .headings import LABEL, heading
 from .settings import Said, settings_in
-from .table import COLUMNS, DHTable, Row
+from .table import COLUMNS, MOST_LENGTHS, MOST_ROWS, DHTable, Row
 
 _START = re.compile(r"\ufeff?(% |- |)(?:name|convention)(?:,|: )")
 _VARIABLE = re.compile(r"-?(?:θ|d)(?:_\{)?[0-9]+(?:\}\^\{)?\*\}? ?(.*)")
@@ -20,6 +20,7 @@ _FLIPPED = re.compile(r"-(?:θ|d)(?:_\{)?[0-9]")
 _LATEX_SIGNS = {spelled: sign for sign, spelled in LATEX_SIGNS.items()} | {
     r"{\cdot}": "*", r"\pi": "pi", r"\theta": "θ", "$": ""}
 _LATEX_SIGN = re.compile("|".join(map(re.escape, sorted(_LATEX_SIGNS, key=len, reverse=True))))
+_MOST_LINES = MOST_ROWS + MOST_LENGTHS + 20
 _COLUMNS = ("joint", "flip", *COLUMNS, "name")
 
 
@@ -34,7 +35,7 @@ def own_table(text: str) -> tuple[Said, list[Row]] | None:
     ('m', 'x')
     """
     start = _START.match(text)
-    if not start:
+    if not start or text.count("\n") > _MOST_LINES:
         return None
     lines = _LINES[start[1]](text.removeprefix("\ufeff"))
     head = next((k for k, cells in enumerate(lines) if "joint" in cells[:2]), None)

@@ -34,6 +34,7 @@ _CHOICES = {"angles": tuple(ANGLES), "convention": tuple(CONVENTIONS), "decimal"
 # The orders in which books print the columns.
 _ORDERS = ("theta d a alpha", "a alpha d theta", "d theta a alpha", "alpha a d theta",
            "alpha a theta d")
+MOST_LINES = 500
 _IMPORTS = ("import ", "from ")
 _SHAPE = "a header such as theta,d,a,alpha and one line per joint"
 _WORDS = {"deg": "degrees", "rad": "radians"}
@@ -58,7 +59,7 @@ def read_table(text: str, like: DHTable, **choices: str) -> Loaded:
     Parameters
     ----------
     text : str
-        At most 100,000 characters.
+        At most 500 lines and 100,000 characters.
     like : DHTable
         The table that is there: its convention, units and named lengths hold unless the text says
         otherwise.
@@ -89,6 +90,9 @@ def read_table(text: str, like: DHTable, **choices: str) -> Loaded:
     text = text.replace("\r\n", "\n").replace("\r", "\n").replace("\0", " ")
     if own := own_table(text):
         return Loaded(_limited(table_of(*own)))
+    if text.count("\n") > MOST_LINES:
+        raise ValueError(f"text: expected {_SHAPE}, at most {MOST_LINES} lines, got "
+                         f"{text.count(chr(10))}; take the lines of the table alone")
     text = re.sub(r"\A\ufeff?sep=.\n", "", text).removeprefix("\ufeff").replace("\u00a0", " ")
     if ("Arm(" in text and "DHTableEditor(" not in text) or text.lstrip().startswith(_IMPORTS):
         return Loaded(_limited(from_code(text, like.angles)))

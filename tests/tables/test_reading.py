@@ -279,7 +279,7 @@ def test_units_in_the_cells():
     table = read("theta,d,a,alpha\n0°,100 mm,0,90°\n0.5 rad,0,0.2 m,-45 deg\n")
     assert table.unit == "mm" and table.angles == "deg"
     assert told(table) == [("R", "0", "100", "0", "90"), ("R", "0.5 rad", "0", "200", "-45")]
-    assert told(read("θ,d,a,α\nq1,1,0,90°\n", RADIANS))[0][4] == "90 deg"
+    assert told(read("θ,d,a,α\nq1,1,0,90°\n", RADIANS))[0][4] == "pi/2"
 
 
 @pytest.mark.parametrize("like", [DEGREES, RADIANS, replace(RADIANS, convention="modified",
