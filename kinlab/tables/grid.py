@@ -1,4 +1,4 @@
-"""A text as lines of cells: CSV, tabs, blanks, Markdown, LaTeX, HTML."""
+"""A text as lines of cells: CSV, tabs, blanks, Markdown, LaTeX, HTML, lines of programs."""
 from __future__ import annotations
 
 import csv
@@ -7,6 +7,7 @@ import re
 from collections import Counter
 from collections.abc import Iterator
 
+from .assigned import assigned_lines
 from .programs import program_lines
 
 Lines = list[list[str]]
@@ -58,6 +59,7 @@ def grids(text: str) -> Iterator[Lines]:
         if sign in bare:
             yield _separated(bare, sign)
     yield from _blank_lines(bare)
+    yield from assigned_lines(bare)
 
 
 def _separated(text: str, sign: str) -> Lines:

@@ -124,6 +124,25 @@ DH = [q1   0.1  0  pi/2;
 %             th   d    a   alpha
 L(1) = Link([ 0    0.1  0   pi/2   0]);
 L(2) = Link([ 0    0    1   0      0]);  % the elbow""",
+    "numbered names": """
+s = {alpha1: 90, a1: 0, d1: 0.1, q1: q1,
+     alpha2: 0,  a2: 1, d2: 0,   q2: q2}""",
+    "assignments": """
+alpha1 = pi/2; a1 = 0; d1 = 0.1;
+alpha2 = 0;    a2 = 1; d2 = 0;""",
+    "calls with names": """
+L1 = RevoluteDH(d=0.1, a=0, alpha=pi/2)
+L2 = RevoluteDH(d=0, a=1, alpha=0)""",
+    "calls with words": """
+L(1) = Link('d', 0.1, 'a', 0, 'alpha', pi/2);
+L(2) = Link('d', 0, 'a', 1, 'alpha', 0);""",
+    "JSON": """
+[{"theta": 0, "d": 0.1, "a": 0, "alpha": 90},
+ {"theta": 0, "d": 0, "a": 1, "alpha": 0}]""",
+    "YAML": """
+joints:
+  - {a: 0, alpha: 90, d: 0.1, theta: 0}
+  - {a: 1, alpha: 0, d: 0, theta: 0}""",
     "a comment": """
 # theta   d    a   alpha
 # theta1  0.1  0   90
@@ -136,6 +155,19 @@ def test_a_table_in_a_program_is_read_and_never_run(form):
     table = read(PROGRAMS[form])
     assert told(table) == ONE or told(table) == [(*ONE[0][:4], "pi/2"), ONE[1]] or told(
         table) == [(*ONE[0][:4], "pi / 2"), ONE[1]]
+
+
+def test_the_index_before_in_numbered_names_is_modified():
+    table = read("{alpha0: 0, a0: 0, d1: 0.75, alpha1: -pi/2, a1: 0.35, d2: 0, q2: q2 - pi/2}")
+    assert table.convention == "modified"
+    assert [(row.theta, row.d, row.a, row.alpha) for row in table.rows] == [
+        ("0", "0.75", "0", "0"), ("-pi/2", "0", "0.35", "-pi/2")]
+
+
+def test_calls_name_kinds_and_convention():
+    table = read("RevoluteMDH(d=0.1, a=0, alpha=0)\nPrismaticMDH(theta=0, a=0.5, alpha=90)")
+    assert table.convention == "modified"
+    assert [row.kind for row in table.rows] == ["revolute", "prismatic"]
 
 
 def test_the_fifth_number_of_a_link_is_its_kind():
