@@ -1,7 +1,9 @@
 """DH tables of arms as published by authors, makers and sites from M to Z: data only.
 
 Numbers are typed anew from the sources, in the sources' own layout; what they mean was typed by
-hand. Where a source names lengths without their values, `lengths` gives values of our own.
+hand. Where a source names lengths without their values, `lengths` gives values of our own. No
+copy of the books, of the MathWorks page and of the last row for the UR10e was at hand: these are as
+commonly quoted, and so is their layout. Poses are the source's own, or read off the stretched arm.
 """
 from __future__ import annotations
 
@@ -488,7 +490,8 @@ DHRobot: test1, 6 joints (RRRRRR), dynamics, standard DH parameters
               (0, 0, 0.036, -90), (0, 0, 0.0783, 0))),
     Published(
         name="six joints, printed with its offsets",
-        source="https://robotics.stackexchange.com, Is there any fault in my kinematic diagram?",
+        source="https://robotics.stackexchange.com, Is there any fault in my kinematic diagram? "
+               "(row 6 after the formula above it)",
         text="""
 myrobot:: 6 axis, RRRRRR, stdDH, fastRNE
 +---+-----------+-----------+-----------+-----------+-----------+
