@@ -1,1 +1,1 @@
-"""A DH table as typed: its cells, and the same table as CSV, text and code."""
+"""A DH table as typed: its cells, and tables read from and written as text of many kinds."""
