@@ -235,8 +235,9 @@ class _Reading:
         facts = [f"{_rows_are(numbers)} {words[len(numbers) > 1]}" for numbers, words in (
             (slides, ("slides", "slide")), (fixed, ("is fixed", "are fixed")),
             (flipped, ("counts the other way", "count the other way"))) if numbers]
+        left = ["the first of the tables"] * self.sheet.another
         out = [head.text for head in self.sheet.heads if not head.column and head.text.strip()]
-        left = [f"left out: {_listed(map(inputs.brief, out))}"] if out else []
+        left += [f"left out: {_listed(map(inputs.brief, out))}"] if out else []
         return "; ".join([", ".join(known), *facts, *left, *self.notes]) + "."
 
 

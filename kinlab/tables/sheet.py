@@ -29,12 +29,15 @@ class Sheet:
         The lines above and below, in cells.
     first : int
         The line of the first row, from 1.
+    another : bool
+        Whether other headings follow, of a table that is not read.
     """
 
     heads: tuple[Heading, ...]
     rows: tuple[tuple[str, ...], ...]
     around: tuple[tuple[str, ...], ...] = ()
     first: int = 1
+    another: bool = False
 
     @property
     def is_whole(self) -> bool:
@@ -77,8 +80,9 @@ def _headed(lines: Lines) -> Sheet | None:
         heads, first = _with_units(heads, units), first + 1
     rows, end = _rows(lines, first, len(heads))
     around = lines[max(0, k - _WORDS_NEAR):k] + lines[end:end + _WORDS_NEAR]
+    another = any(map(_is_head, lines[end:end + _WORDS_NEAR]))
     return _with_index(Sheet(heads, rows, tuple(tuple(line) for line in around if any(line)),
-                             first + 1))
+                             first + 1, another))
 
 
 def _best_heads(lines: Lines) -> tuple[int, tuple[Heading, ...]]:
@@ -98,6 +102,11 @@ def _may_be_heads(cells: Sequence[str]) -> bool:
     """Whether a line may hold headings: some short cells, of which few are numbers."""
     return 2 <= len(cells) <= _MOST_COLUMNS and 2 * sum(
         len(cell) > _LONGEST_HEAD or bool(_NUMBER.match(cell)) for cell in cells) < len(cells)
+
+
+def _is_head(cells: Sequence[str]) -> bool:
+    """Whether a line is surely the head of another table."""
+    return _may_be_heads(cells) and _parameters(headings(cells)) > 2
 
 
 def _are_heads(heads: Sequence[Heading]) -> bool:
@@ -141,7 +150,7 @@ def _rows(lines: Lines, first: int, columns: int) -> tuple[tuple[tuple[str, ...]
         if len(cells) < min(2, columns) and any(cells):
             if not _NUMBER.match(cells[0]):
                 return tuple(rows), k
-        elif _may_be_heads(cells) and _parameters(headings(cells)) > 2:
+        elif _is_head(cells):
             return tuple(rows), k
         if any(cells):
             rows.append(tuple(cells))

@@ -1,6 +1,7 @@
 """A DH table as a student types it: frozen text, what it says, and the edits that change it."""
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
 from functools import cached_property
@@ -181,10 +182,22 @@ class DHTable:
             for column, text in frame.cells(self.angles).items() if frame.texts else ():
                 read = self._reading_of(column in TURNS, names)
                 _note(Place(end, column), read, text, values, errors)
+        for place, name in self._waiting(names, errors):
+            errors[place] = f"give {inputs.brief(name)} a value first"
         if all(row.kind == FIXED for row in self.rows):
             errors.setdefault(Place(1, "theta"), "expected at least one joint; make a row revolute "
                                                  "or prismatic")
         return values, errors
+
+    def _waiting(self, names: Mapping[str, float], errors: Mapping[Place, str]
+                 ) -> list[tuple[Place, str]]:
+        """The cells of rows that name a length which has no value yet."""
+        open_ = {name for name, _ in self.lengths if name not in names and not name_refused(name)}
+        cells = ((place, getattr(self.rows[place.row - 1], place.column)) for place in errors
+                 if isinstance(place.row, int) and place.column in COLUMNS)
+        words = ((place, re.findall(r"[A-Za-z_]\w*", text)) for place, text in cells)
+        return [(place, next(filter(open_.__contains__, found))) for place, found in words
+                if open_ & set(found)]
 
     def _ends(self) -> list[tuple[str, End]]:
         """The base and the tool, as far as there are any."""

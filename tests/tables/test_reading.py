@@ -441,7 +441,13 @@ def test_lengths_without_a_value_wait_for_it():
     loaded = read_table("θ;d;a;α\nq1;d_1;0;90\nq2;0;a_2;0\n\nwith d_1 = 0.4\n", DEGREES)
     assert loaded.table.lengths == (("d1", "0.4"), ("a2", ""))
     assert loaded.remark.endswith("give a2 a value.")
+    assert loaded.table.errors[Place(2, "a")] == "give 'a2' a value first"
     assert not loaded.table.with_length(2, "a2", "0.3").errors
+
+
+def test_a_second_table_is_left_out_and_named():
+    loaded = read_table("theta,d,a,alpha\n0,0.1,0,90\n0,0,1,0\n\ntheta,d,a,alpha\n0,5,5,5", DEGREES)
+    assert told(loaded.table) == ONE and loaded.remark.endswith("; the first of the tables.")
 
 
 # ---- what is asked ----
