@@ -29,9 +29,10 @@ from typing import NamedTuple, TypeVar
 
 import numpy as np
 
-from ..arms.arm import Arm, to_standard
+from ..arms.arm import Arm
 from ..arms.kinematics import link_frames
 from ..arms.link import REVOLUTE
+from .fixed_rows import joints_only
 
 # Half of the sixth decimal: an angle typed as 1.570796 counts as pi/2. Lengths: of each itself.
 SIXTH_DECIMAL = 5e-7
@@ -49,7 +50,7 @@ def cross(u: np.ndarray, v: np.ndarray) -> np.ndarray:
 
 
 class Axes(NamedTuple):
-    """Joint axes of an arm at q = 0, with the standard table they came from."""
+    """Joint axes of an arm at q = 0, with the standard table, a row for each joint, of them."""
 
     arm: Arm
     turns: np.ndarray  # (n,) revolute or not
@@ -87,7 +88,7 @@ class Axes(NamedTuple):
 
 def axes_of(arm: Arm) -> Axes:
     """The joint axes of an arm."""
-    arm = to_standard(arm)
+    arm = joints_only(arm)
     frames = link_frames(arm, np.zeros(arm.n))
     values = np.array([(link.a, link.d) for link in arm.links])
     turns = np.array([link.kind == REVOLUTE for link in arm.links])

@@ -132,12 +132,13 @@ def freedom(rows: np.ndarray, links: tuple[Link, ...], zeros: bool, tool: bool) 
         Whether the tool frame may sit elsewhere on the last link.
     """
     variable = np.array([[name == link.variable for name in PARAMETERS] for link in links])
+    moving = np.flatnonzero(variable.any(axis=1))
     free = variable & zeros
+    free[:moving[0]], free[moving[0], THETA] = True, True
     if tool:
-        free[-1] = True
+        free[moving[-1]:] = True
     angles, pinned = _angles(rows, free), np.ones_like(free)
-    pinned[:, THETA] = False
-    pinned[-1, ALPHA] = not tool
+    pinned[:, THETA], pinned[:, ALPHA] = False, ~free[:, ALPHA]
     lengths, pinned[:, [D, A]] = _lengths(rows, [link.kind == REVOLUTE for link in links], free,
                                           tool)
     for block in angles:
@@ -156,7 +157,7 @@ def _angles(rows: np.ndarray, free: np.ndarray) -> list[Block]:
     signs = np.sign(np.cos(rows[:, ALPHA]))
     blocks = []
     for group in filter(None, groups):
-        if group[0] > 0 and not free[group, THETA].any():
+        if not free[group, THETA].any():
             held = np.cumprod([1, *signs[group[:-1]]])
             blocks.append(Block([(i, THETA) for i in group], held[None], whole_turns=True))
     return blocks

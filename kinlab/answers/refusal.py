@@ -8,8 +8,9 @@ from math import degrees, pi
 import numpy as np
 
 from ..arms.arm import CONVENTIONS, Arm
+from ..arms.link import PRISMATIC, REVOLUTE
 from ..arms.rounded import pi_text, plain_angle
-from .mechanism import FLAT, SIXTH_DECIMAL, Layout, apart, own_row
+from .mechanism import FLAT, SIXTH_DECIMAL, apart, own_row
 from .nearest_table import ALPHA, Comparison, D, Deviation, Nearest
 from .verdict import NOT_YET, Fault, Verdict
 
@@ -29,9 +30,9 @@ class Wrong:
 
     answer: Arm
     reference: Arm
-    layout: Layout
     nearest: Nearest
     mechanism: bool  # the mechanism is right, but not where it stands
+    first: int = 0  # rows of the student's table that stand before this one
 
 
 def other_joints(answer: Arm, reference: Arm) -> Verdict | None:
@@ -42,12 +43,12 @@ def other_joints(answer: Arm, reference: Arm) -> Verdict | None:
                 "into the tool.")
         return Verdict(NOT_YET, f"Your table has {_count(answer.n)}, the arm has {reference.n}. "
                                 f"{rule}")
-    for i, (row, joint) in enumerate(zip(answer.links, reference.links), start=1):
-        if row.kind != joint.kind:
-            message = (f"Joint {i} is {joint.kind} on the arm and {row.kind} in your table: its "
+    for i, (row, link, joint) in enumerate(zip(answer.rows, answer.joints, reference.joints), 1):
+        if link.kind != joint.kind:
+            message = (f"Joint {i} is {joint.kind} on the arm and {link.kind} in your table: its "
                        f"variable is {joint.variable}{i}, so {joint.variable}{i} varies and "
-                       f"{row.variable}{i} is constant.")
-            return Verdict(NOT_YET, message, Fault(i, "kind", row.kind, joint.kind))
+                       f"{link.variable}{i} is constant.")
+            return Verdict(NOT_YET, message, Fault(row + 1, "kind", link.kind, joint.kind))
     return None
 
 
@@ -59,7 +60,8 @@ def refusal(wrong: Wrong, right: Callable[[Arm], bool]) -> Verdict:
     """What there is to say of a wrong table; `right` says of an arm whether it is a right one."""
     answer = wrong.answer
     if not wrong.nearest.cells:
-        return Verdict(NOT_YET, f"{_TOOL}: check row {answer.n} and the tool.", Fault(answer.n))
+        last = len(answer.links) + wrong.first
+        return Verdict(NOT_YET, f"{_TOOL}: check row {last} and the tool.", Fault(last))
     other, = set(CONVENTIONS) - {answer.convention}
     if len(wrong.nearest.cells) > 1 and not wrong.mechanism:
         if right(replace(answer, convention=other)):
@@ -100,27 +102,35 @@ def _unit(mine: np.ndarray, theirs: np.ndarray, fewest: int = 2) -> float:
 
 
 def _named(wrong: Wrong, cell: Deviation) -> Verdict:
-    answer = wrong.answer
-    row = own_row(cell.row, cell.parameter, answer.convention)
-    if wrong.mechanism and cell.parameter == answer.links[row - 1].variable:
-        text = _zero(cell)
+    row = own_row(cell.row, cell.parameter, wrong.answer.convention)
+    if wrong.mechanism and cell.parameter == wrong.answer.links[row - 1].variable:
+        text = _zero(cell, wrong)
     elif wrong.mechanism:
         text = _stance(cell, wrong)
     else:
         speak = {"alpha": _twisted, "theta": _bent, "a": _long, "d": _off}[cell.parameter]
         text = speak(cell, wrong)
-    return Verdict(NOT_YET, text + _hint(cell), Fault(row, cell.parameter, cell.got, cell.expected))
+    fault = Fault(row + wrong.first, cell.parameter, cell.got, cell.expected)
+    return Verdict(NOT_YET, text + _hint(cell), fault)
 
 
-def _name(cell: Deviation) -> str:
-    return f"{cell.parameter}{cell.row + 1}"
+def _name(cell: Deviation, wrong: Wrong) -> str:
+    return f"{cell.parameter}{cell.row + 1 + wrong.first}"
 
 
-def _start(cell: Deviation, answer: Arm) -> str:
+def _start(cell: Deviation, wrong: Wrong) -> str:
     """Joint, parameter and its value, named as in the student's own table."""
-    row = own_row(cell.row, cell.parameter, answer.convention)
-    where = _name(cell) + f" (in row {row})" * (row > cell.row + 1)
-    return f"Joint {row}: the {WORDS[cell.parameter]} {where} is {_shown(cell)[0]}"
+    row = own_row(cell.row, cell.parameter, wrong.answer.convention)
+    joint, name = _joint(row, wrong), _name(cell, wrong)
+    own = name == f"{cell.parameter}{joint.split()[1]}"
+    where = name + f" (in row {row + wrong.first})" * (not own)
+    return f"{joint}: the {WORDS[cell.parameter]} {where} is {_shown(cell)[0]}"
+
+
+def _joint(row: int, wrong: Wrong) -> str:
+    """What a row, counted from 1, is called: by its joint, if one drives it."""
+    rows = wrong.answer.rows
+    return f"Joint {rows.index(row - 1) + 1}" if row - 1 in rows else f"Row {row + wrong.first}"
 
 
 def _shown(cell: Deviation, expected: float | None = None) -> tuple[str, str]:
@@ -137,45 +147,53 @@ def _twisted(cell: Deviation, wrong: Wrong) -> str:
     if wrong.nearest.compared.either[cell.row] and abs(cell.expected) < pi - SIXTH_DECIMAL:
         allowed.add(-cell.expected)
     texts = " or ".join(_shown(cell, value + 0.0)[1] for value in sorted(allowed, reverse=True))
-    a, b = axis_name(wrong.answer, cell.row), axis_name(wrong.answer, cell.row + 1)
-    return f"{_start(cell, wrong.answer)}; from {a} to {b} it should be {texts}."
+    a, b = (axis_name(wrong.answer, cell.row + wrong.first + k) for k in (0, 1))
+    return f"{_start(cell, wrong)}; from {a} to {b} it should be {texts}."
 
 
 def _bent(cell: Deviation, wrong: Wrong) -> str:
-    text = f"{_start(cell, wrong.answer)}; it should be {_shown(cell)[1]}."
-    if wrong.layout.axes.turns[cell.row]:
+    text = f"{_start(cell, wrong)}; it should be {_shown(cell)[1]}."
+    if wrong.answer.links[cell.row].kind != PRISMATIC:
         return text
     return (f"{text} A prismatic joint does not turn, so q cannot make up for this angle: the row "
             "has to hold it.")
 
 
 def _long(cell: Deviation, wrong: Wrong) -> str:
-    text = f"{_start(cell, wrong.answer)}; it should be {_shown(cell)[1]}"
+    text = f"{_start(cell, wrong)}; it should be {_shown(cell)[1]}"
     return f"{text}: its sign is wrong." if _opposite(cell) else f"{text}."
 
 
 def _off(cell: Deviation, wrong: Wrong) -> str:
-    run = next(run for run in wrong.layout.runs if cell.row in run)
-    turning = [f"d{i + 1}" for i in run if wrong.layout.axes.turns[i]]
+    run = _parallel(wrong.nearest.compared.right[:, ALPHA], cell.row)
+    turning = [f"d{i + 1 + wrong.first}" for i in run if wrong.answer.links[i].kind == REVOLUTE]
     text = _long(cell, wrong)
     if len(turning) < 2:
         return text
     return f"{text} These axes are parallel: {', '.join(turning)} count only together."
 
 
-def _zero(cell: Deviation) -> str:
+def _parallel(twists: np.ndarray, row: int) -> range:
+    """The rows whose z axes are parallel to that of a row."""
+    bent = np.flatnonzero(np.abs(np.sin(twists)) > SIXTH_DECIMAL)
+    return range(max(bent[bent < row] + 1, default=0),
+                 min(bent[bent >= row] + 1, default=len(twists)))
+
+
+def _zero(cell: Deviation, wrong: Wrong) -> str:
     got, expected = _shown(cell)
-    return (f"{_STANCE}. Joint {cell.row + 1}: {_name(cell)} should hold the offset {expected}. It "
-            f"holds {got}.")
+    joint = _joint(cell.row + 1, wrong)
+    return (f"{_STANCE}. {joint}: {cell.parameter}{joint.removeprefix('Joint ')} should hold the "
+            f"offset {expected}. It holds {got}.")
 
 
 def _stance(cell: Deviation, wrong: Wrong) -> str:
     """A number that only the zero position or the tool tells."""
     got, expected = _shown(cell)
-    the = f"he {WORDS[cell.parameter]} {_name(cell)}"
-    if _opposite(cell) and cell.row < wrong.answer.n - 1:
+    the = f"he {WORDS[cell.parameter]} {_name(cell, wrong)}"
+    if _opposite(cell) and cell.row < wrong.answer.rows[-1]:
         return f"{_STANCE}. T{the} should be {expected}: its sign is wrong."
-    where = _TOOL if cell.row == wrong.answer.n - 1 else _STANCE
+    where = _TOOL if cell.row >= wrong.answer.rows[-1] else _STANCE
     return f"{where}: t{the} is {got}; it should be {expected}."
 
 

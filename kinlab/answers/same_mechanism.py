@@ -1,11 +1,15 @@
 """Judge a student's DH table by what the arm does: every valid choice of frames is right."""
 from __future__ import annotations
 
+from collections.abc import Callable
+from dataclasses import replace
 from math import degrees, sin
 
 import numpy as np
 
 from ..arms.arm import Arm, check_arm
+from ..arms.link import Link
+from .fixed_rows import joints_only, kinds, without_ends
 from .mechanism import (
     SIXTH_DECIMAL,
     Axes,
@@ -19,7 +23,7 @@ from .mechanism import (
 )
 from .nearest_table import nearest_table, with_rows
 from .refusal import Wrong, axis_name, other_joints, refusal
-from .verdict import CORRECT, Verdict
+from .verdict import CORRECT, Fault, Verdict
 from .zero_pose import stand_alike
 
 
@@ -78,10 +82,30 @@ def same_mechanism(answer: Arm, reference: Arm, *, strict: bool = False) -> Verd
     if len(signs) and not (strict and not stand_alike(mine, theirs)):
         return Verdict(CORRECT, _praise(mine, theirs, answer, reference,
                                         _plainest(mine, theirs, signs)))
+    return _refused(answer, reference, strict, len(signs) > 0, right)
+
+
+def _refused(answer: Arm, reference: Arm, strict: bool, mechanism: bool,
+             right: Callable[[Arm], bool], first: int = 0) -> Verdict:
+    """What there is to say of a table that is wrong, or right but for a little rounding."""
+    if kinds(answer) != kinds(reference):
+        return _without_fixed_rows(answer, reference, strict, mechanism, right)
     nearest = nearest_table(answer, reference, strict, right)
     if not nearest.cells and right(plain := with_rows(answer, nearest.rows)):
-        return same_mechanism(plain, reference, strict=strict)  # a little rounding in each cell
-    return refusal(Wrong(answer, reference, layout, nearest, len(signs) > 0), right)
+        return same_mechanism(plain, reference, strict=strict)
+    return refusal(Wrong(answer, reference, nearest, mechanism, first), right)
+
+
+def _without_fixed_rows(answer: Arm, reference: Arm, strict: bool, mechanism: bool,
+                        right: Callable[[Arm], bool]) -> Verdict:
+    """The verdict on a table without its fixed rows, its fault in the student's own row."""
+    (mine, first), (theirs, _) = without_ends(answer), without_ends(reference)
+    if kinds(mine) == kinds(theirs):
+        return _refused(mine, theirs, strict, mechanism, right, first)
+    verdict = _refused(joints_only(mine), joints_only(theirs), strict, mechanism, right)
+    fault = verdict.fault and Fault(answer.rows[verdict.fault.row - 1] + 1)
+    return replace(verdict, fault=fault, message="In standard DH, without rows that are fixed: "
+                                                 f"{verdict.message}")
 
 
 # ---- A right table -------------------------------------------------------------------------------
@@ -102,9 +126,12 @@ def _praise(mine: Axes, theirs: Axes, answer: Arm, reference: Arm, signs: np.nda
     chosen = []
     if answer.convention != reference.convention:
         chosen.append(f"{answer.convention} DH instead of {reference.convention}")
-    chosen += [f"{axis_name(answer, i)} points the other way: your q{i + 1} "
-               f"{'turns' if mine.turns[i] else 'slides'} backwards"
-               for i in np.flatnonzero(signs < 0).tolist()]
+    for i, sign in enumerate(signs):
+        other_way = sign * _counts(answer.joints[i]) * _counts(reference.joints[i]) < 0
+        moves = "turns" if mine.turns[i] else "slides"
+        said = [f"{axis_name(answer, i)} points the other way"] * bool(sign < 0) + [
+            f"your q{i + 1} {moves} backwards"] * bool(other_way)
+        chosen += [": ".join(said)] * bool(said)
     chosen += [f"x{i + 1} points the other way"
                for i in np.flatnonzero(_sides(mine, theirs, signs[None])[0] < 0)]
     chosen += [f"q{i + 1} counts from a zero {apart(abs(degrees(gap)), np.inf)[0]}° away"
@@ -120,6 +147,10 @@ def _praise(mine: Axes, theirs: Axes, answer: Arm, reference: Arm, signs: np.nda
         return "The same mechanism, with the same frames."
     more = [f"and {len(chosen) - 4} more"] if len(chosen) > 4 else []
     return f"The same mechanism. Chosen differently: {'; '.join(chosen[:4] + more)}."
+
+
+def _counts(joint: Link) -> int:
+    return -1 if joint.flip else 1
 
 
 def _unequal(a: float, b: float, axes: Axes) -> bool:

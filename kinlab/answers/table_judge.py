@@ -20,6 +20,7 @@ from ..arms.arm import Arm, to_modified, to_standard
 from ..arms.kinematics import forward_kinematics
 from ..arms.link import REVOLUTE, revolute, with_numbers
 from ..arms.motions import Numbers
+from .fixed_rows import without_ends
 from .judges import Judge, first_of, is_stub
 from .same_mechanism import same_mechanism
 from .verdict import BLANK, NOT_YET, Fault, Verdict
@@ -98,25 +99,31 @@ def _compared(answer: Arm, reference: Arm, ends: bool, strict: bool) -> Verdict:
     verdict = same_mechanism(answer, reference, strict=strict)
     if not (verdict.ok and ends):
         return verdict
+    table, first = without_ends(answer)
+    return _ends(table, without_ends(reference)[0], first) or verdict
+
+
+def _ends(answer: Arm, reference: Arm, first: int) -> Verdict | None:
+    """What is wrong with tip or floor; `first` rows of the student's table stand before these."""
     tip = same_mechanism(_with_tip(answer), _with_tip(reference))
-    if tip.fault and tip.fault.row >= answer.n and (tip.fault.row > answer.n
-                                                    or answer.tool[:3, 3].any()):
+    with_tool = bool(answer.tool[:3, 3].any())
+    if tip.fault and tip.fault.row + with_tool > len(answer.links):
         return Verdict(NOT_YET, "The arm is right, but its tip is not: check the tool.")
     if not tip.ok:
-        return tip
+        return replace(tip, fault=tip.fault and replace(tip.fault, row=tip.fault.row + first))
     floor = same_mechanism(_on_floor(answer), _on_floor(reference))
-    return verdict if floor.ok else _off_floor(answer, floor)
+    return None if floor.ok else _off_floor(answer, floor, first + 1)
 
 
-def _off_floor(answer: Arm, floor: Verdict) -> Verdict:
+def _off_floor(answer: Arm, floor: Verdict, row: int) -> Verdict:
     """What `floor` says of the row behind the floor's own, in words for the row of joint 1."""
     d = answer.links[0].d
-    fault, should = Fault(1, "d"), ""
+    fault, should = Fault(row, "d"), ""
     if floor.fault and floor.fault.column == "d" and isinstance(floor.fault.expected, float):
         expected = floor.fault.expected - _height(answer)
-        fault, should = Fault(1, "d", d, expected), f"; it should be {expected:.6g}"
-    return Verdict(NOT_YET, f"Joint 1: the offset d1 is {d:g}{should}. With frame 0 on the floor "
-                            "it holds the height of the column.", fault)
+        fault, should = Fault(row, "d", d, expected), f"; it should be {expected:.6g}"
+    return Verdict(NOT_YET, f"Joint 1: the offset d{row} is {d:g}{should}. With frame 0 on the "
+                            "floor it holds the height of the column.", fault)
 
 
 def _with_tip(arm: Arm) -> Arm:
