@@ -1,5 +1,7 @@
 """Closed forms of three arms: kinlab, sympy.trigsimp of the product, Robotics Toolbox.
 
+Then Jacobians in closed form, also of six joints with odd twists, whose entries are long.
+
 Every figure is the best of three fresh processes with their libraries loaded: the first call is
 cold, those after it are warm. A process that takes longer than TIMEOUT is stopped and said so.
 """
@@ -27,6 +29,7 @@ ARMS = ("alpha_ii", "practical_six_link", "intelledex_660t")
 ROUNDS = 3
 TIMEOUT = 180  # seconds
 GOAL_MS, GOAL_RATIO = 20, 100
+GOAL_JACOBIAN = 10  # seconds, with text and LaTeX
 
 
 def kinlab_matrix(arm: kl.Arm) -> sp.Matrix:
@@ -38,6 +41,18 @@ def kinlab_written(arm: kl.Arm) -> sp.Matrix:
     form = kl.closed_form(arm)
     assert form.text and form.latex
     return form.matrix
+
+
+def kinlab_jacobian(arm: kl.Arm) -> sp.Matrix:
+    """The Jacobian, and its text and LaTeX."""
+    form = kl.jacobian_form(arm)
+    assert form.text and form.latex
+    return form.matrix
+
+
+def six_odd_twists() -> kl.Arm:
+    """Six joints with twists of 40 degrees."""
+    return kl.Arm([kl.revolute(d=0.1, a=0.1, alpha=np.radians(40)) for _ in range(6)])
 
 
 def trigsimp(arm: kl.Arm) -> sp.Matrix:
@@ -63,6 +78,8 @@ SOLVERS: dict[str, tuple[Solver, int]] = {  # the solver and how many warm calls
     "Robotics Toolbox simplify()": (toolbox, 1),
 }
 OURS, WRITTEN, *PEERS = SOLVERS
+JACOBIAN = "kinlab, Jacobian + text + LaTeX"
+WORK = SOLVERS | {JACOBIAN: (kinlab_jacobian, 1)}
 NEEDS = {"Robotics Toolbox simplify()": "roboticstoolbox"}
 
 
@@ -95,17 +112,17 @@ def exact(T: np.ndarray) -> sp.Matrix:
 
 
 def difference(arm: kl.Arm, matrix: sp.Matrix) -> float:
-    """Largest difference from the numerical poses at random points, in the arm's unit."""
+    """Largest difference from the numbers at random points, in the arm's unit."""
     q = np.random.default_rng(1).uniform(-np.pi, np.pi, (50, arm.n))
-    poses = kl.forward_kinematics(arm, q)
-    function = sp.lambdify(joints(arm), matrix, "numpy")
+    poses = (kl.forward_kinematics if matrix.rows == 4 else kl.jacobian)(arm, q)
+    function = sp.lambdify(joints(arm), matrix, "numpy", cse=True)
     return max(np.abs(function(*row) - T).max() for row, T in zip(q, poses))
 
 
 def work(solver: str, arm_name: str) -> None:
     """Run in a fresh process: time one solver on one arm, print the figures as JSON."""
-    solve, warm_calls = SOLVERS[solver]
-    arm = getattr(robots, arm_name)()
+    solve, warm_calls = WORK[solver]
+    arm = six_odd_twists() if arm_name == six_odd_twists.__name__ else getattr(robots, arm_name)()
     kl.closed_form, peer(NEEDS.get(solver, "sympy"))  # loading is not timed
     times = []
     for _ in range(1 + warm_calls):
@@ -181,6 +198,17 @@ def main() -> None:
           [row for arm_name in ARMS for row in rows(arm_name, figures[arm_name])])
     for arm_name in ARMS:
         show_goals(arm_name, figures[arm_name])
+    for arm_name in (*ARMS, six_odd_twists.__name__):
+        show_jacobian(arm_name)
+
+
+def show_jacobian(arm_name: str) -> None:
+    figure = run(JACOBIAN, arm_name)
+    if isinstance(figure, str):
+        return goal(f"{arm_name}: {JACOBIAN}: {figure}", False)
+    goal(f"{arm_name}: {JACOBIAN} under {GOAL_JACOBIAN} s, cold: {figure['cold']:.2g} s, equal to "
+         f"the numbers within {figure['difference']:.1g}",
+         figure["cold"] < GOAL_JACOBIAN and figure["difference"] < 1e-9)
 
 
 if __name__ == "__main__":

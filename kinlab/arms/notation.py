@@ -141,6 +141,8 @@ class _Writer:
         return sorted(places)
 
     def _number(self, number: sp.Expr) -> str:
+        if number is sp.S.One:
+            return "1"
         wholes = [whole for part in number.atoms(sp.Rational) for whole in (part.p, part.q)]
         if number.has(sp.Float) or _is_decimal(number) or any(
                 abs(whole) > _LARGEST_WHOLE for whole in wholes):
@@ -171,7 +173,7 @@ class _Writer:
     def _term_order(self, term: sp.Expr) -> tuple:
         """Along the chain: by the last length in the term, then by its sines and cosines."""
         trig = sorted(key for key in map(self._factor_order, _factors(term)) if key[0])
-        return self._last_length(term), trig, _ByText(term)
+        return self._last_length(term), trig, bool(_factors(term)), _ByText(term)
 
     def _last_length(self, term: sp.Expr) -> int:
         """The highest row in a textbook's name; names of base and tool count behind all rows."""

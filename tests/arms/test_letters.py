@@ -137,3 +137,34 @@ def test_names_that_do_not_fit(arm, options, words):
 def test_right_angles_stay_numbers_beside_own_names():
     arm = kl.Arm([r(d=1, alpha=radians(90)), r(a=2)])
     assert kl.closed_form(arm, lengths={"h": 1}).entries[2][3] == "h + 2*S2"
+
+
+def test_names_about_fixed_rows_and_joints_that_count_the_other_way():
+    """Joint 2 stands in row 3: its variable is theta_2, its lengths are those of row 3."""
+    rows = [r(d=1), kl.fixed(theta=0.3, d=0.4, a=0.5), r(a=2, alpha=0.7, flip=True)]
+    form = kl.closed_form(kl.Arm(rows), lengths="symbols", symbols="theta")
+    assert form.entries[0][0] == "cos(theta_1 - theta_2 + offset2)"
+    assert form.entries[0][3] == "a2*cos(theta_1 + offset2) + a3*cos(theta_1 - theta_2 + offset2)"
+    assert form.entries[2][3] == "d1 + d2"
+    assert worth(form) == {"d_1": 1, "offset_2": 0.3, "d_2": 0.4, "a_2": 0.5, "a_3": 2}
+    modified = kl.closed_form(kl.Arm(rows, convention="modified"), symbols=("a", "alpha"))
+    assert worth(modified) == {"a_1": 0.5, "a_2": 2, "alpha_2": 0.7}
+
+
+def test_own_names_in_fixed_rows():
+    arm = kl.Arm([r(), kl.fixed(a=0.5), r(a=2, flip=True), kl.fixed(d=0.5, alpha=0.2)])
+    cells = {(2, "a"): "L1", (4, "d"): "-L1 + 1", (4, "alpha"): "beta"}
+    form = kl.closed_form(arm, symbols=cells)
+    assert [form.entries[k][3] for k in (0, 2)] == ["L1*C1 + 2*C(1-2)", "1 - L1"]
+    assert form.entries[2][1] == "sin(beta)"
+    assert kl.closed_form(arm, 1, 2, symbols=cells).entries[0][3] == "L1"
+    assert [kl.jacobian_form(arm, symbols=cells).entries[k] for k in (0, 5)] == [
+        ("-L1*S1 - 2*S(1-2)", "2*S(1-2)"), ("1", "-1")]
+
+
+def test_a_rounded_angle_in_a_fixed_row():
+    arm = kl.Arm([r(), kl.fixed(alpha=1.5708), r(theta=1.5708, flip=True)])
+    form = kl.closed_form(arm)
+    assert form.remark == ("alpha2 = 1.5708 and offset3 = 1.5708 look rounded: "
+                           "they are taken as pi/2, pi/2.")
+    assert form.entries[2][:3] == ("C2", "S2", "0")  # sin and cos of 90 degrees - theta_2
