@@ -8,6 +8,7 @@ _BRACKETS = re.compile(r"[\[({]([^\[\](){};]{3,80})[\])};]|[\[({]([^\[\](){};]{3
 _START = re.compile(r"^\s*(?:return\s+)?(?:[A-Za-z_][\w.]{0,40}(?:\([0-9]{1,2}\))?\s?=)?"
                     r"\s*(?:[A-Za-z_][\w.]{0,40}\s?\()?\s*[\[({][\s\[({]*")
 _NAMED = re.compile(r"^\s*[A-Za-z][\w ]{2,40}:\s*[\[(]")
+_WORD = re.compile(r"[(\"'*#]*[A-Za-z][A-Za-z'-]+[.,:;)*\"']*")
 _MOST = 60  # cells of a row
 
 
@@ -25,11 +26,20 @@ def program_lines(text: str) -> list[list[str]]:
         code, comment = (match[1], match[2]) if match else (line, "")
         if _NAMED.match(code):
             code, comment = "", code
+        if _is_prose(code):
+            lines.append([code.strip()])
+            continue
         rows = [_cells(_closed(row)) for row in re.split(
             r";|\]\s*,\s*\[|\)\s*,\s*\(", _closed(_START.sub("", code))) if _closed(row)]
         begun = bool(rows) or any(len(cells) > 2 for cells in lines)
         lines += _columns(comment.strip(), begun) + rows
     return lines
+
+
+def _is_prose(code: str) -> bool:
+    """Whether a line says something: more than half of it are words of letters alone."""
+    words = code.split()
+    return len(words) > 3 and 2 * sum(map(bool, map(_WORD.fullmatch, words))) > len(words)
 
 
 def _columns(comment: str, begun: bool) -> list[list[str]]:

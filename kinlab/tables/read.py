@@ -94,9 +94,16 @@ def read_table(text: str, like: DHTable, **choices: str) -> Loaded:
         raise ValueError(f"text: expected {_SHAPE}, at most {MOST_LINES} lines, got "
                          f"{text.count(chr(10))}; take the lines of the table alone")
     text = re.sub(r"\A\ufeff?sep=.\n", "", text).removeprefix("\ufeff").replace("\u00a0", " ")
+    text = _unquoted(text)
     if ("Arm(" in text and "DHTableEditor(" not in text) or text.lstrip().startswith(_IMPORTS):
         return Loaded(_limited(from_code(text, like.angles)))
     return _Reading(text, like, answers).loaded()
+
+
+def _unquoted(text: str) -> str:
+    """A text without the signs that a mail or Markdown puts before each of its lines."""
+    quoted = all(line.startswith(">") for line in text.splitlines() if line.strip())
+    return re.sub(r"(?m)^> ?", "", text) if quoted else text
 
 
 def _checked(choices: Mapping[str, str]) -> dict[str, str]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
+from itertools import groupby
 
 from ..arms.link import PARAMETERS
 from .grid import Lines, grids
@@ -186,8 +187,11 @@ def _turned(lines: Lines) -> Lines:
 
 def _bare(lines: Lines) -> Sheet | None:
     """Rows of numbers without headings: four columns, or five of which the first counts."""
-    rows = [tuple(line) for line in lines if any(line)]
-    widths = {len(row) for row in rows}
-    if len(widths) != 1 or not widths & {4, 5}:
-        return None
-    return Sheet((), tuple(rows))
+    runs = (tuple(map(tuple, run)) for width, run in groupby(filter(any, lines), len)
+            if width in (4, 5))
+    rows = max(filter(_is_of_numbers, runs), key=len, default=())
+    return Sheet((), rows) if rows else None
+
+
+def _is_of_numbers(rows: Iterable[Sequence[str]]) -> bool:
+    return all(sum(bool(_NUMBER.match(cell)) for cell in row) > 1 for row in rows)

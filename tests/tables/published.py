@@ -62,3 +62,11 @@ class Published:
     marked: tuple[tuple[int, str], ...] = ()
     poses: tuple[tuple[tuple[float, ...], tuple[float, float, float]], ...] = ()
     within: float = 1e-9
+
+
+# The KUKA KR 210 of a course, of which many students published their own table: six joints, then a
+# fixed gripper, 0.35 + 1.5 + 0.303 in front of the base and 0.75 + 1.25 - 0.054 above it.
+KR210: tuple[Numbers, ...] = (
+    (0, 0.75, 0, 0), (-90, 0, 0.35, -90), (0, 0, 1.25, 0), (0, 1.5, -0.054, -90), (0, 0, 0, 90),
+    (0, 0, 0, -90), (0, 0.303, 0, 0))
+KR210_AT_ZERO = (((0, 0, 0, 0, 0, 0), (2.153, 0, 1.946)),)

@@ -1,15 +1,11 @@
 """DH tables of arms as published by authors, makers and sites from A to L: data only.
 
 Numbers are typed anew from the sources, in the sources' own layout; what they mean was typed by
-hand. Where a source names lengths without their values, `lengths` gives values of our own.
+hand. Where a source names lengths without their values, `lengths` gives values of our own. No
+copy of the books, of the two papers by Gaz and of the guide of the Gen3 was at hand: these are as
+commonly quoted, and so is their layout. Poses are the source's own, or read off the drawn arm.
 """
-from published import Published
-
-# The KUKA KR 210 of a course, of which many students published their own table. Reading its
-# drawing: the hand is 0.35 + 1.5 + 0.303 in front of the base, and 0.75 + 1.25 - 0.054 above it.
-_KR210 = ((0, 0.75, 0, 0), (-90, 0, 0.35, -90), (0, 0, 1.25, 0), (0, 1.5, -0.054, -90),
-          (0, 0, 0, 90), (0, 0, 0, -90), (0, 0.303, 0, 0))
-_KR210_HAND = (((0, 0, 0, 0, 0, 0), (2.153, 0, 1.946)),)
+from published import KR210, KR210_AT_ZERO, Published
 
 TABLES = (
     # ---- Markdown ----
@@ -26,7 +22,7 @@ i   | α<sub>i-1</sub> | a<sub>i-1</sub>      | d<sub>i-1</sub>    | θ<sub>i</s
 5   | π/2             | 0                    | 0                  | θ<sub>5</sub>
 6   | - π/2           | 0                    | 0                  | θ<sub>6</sub>
 G*  | 0               | 0                    | d<sub>G</sub>=0.303| 0
-""", _KR210, convention="modified", kinds="RRRRRRF", poses=_KR210_HAND),
+""", KR210, convention="modified", kinds="RRRRRRF", poses=KR210_AT_ZERO),
     Published(
         "KR 210 with empty cells where nothing is added to the variable",
         "https://github.com/kjames88/RoboND-Kinematics-Project README.md",
@@ -40,7 +36,7 @@ G*  | 0               | 0                    | d<sub>G</sub>=0.303| 0
 | 4->5 | pi/2 | 0 | 0 |   |
 | 5->6 | -pi/2 | 0 | 0 |   |
 | 6->EE | 0 |0 | 0.303 | 0 |
-""", _KR210, convention="modified", kinds="RRRRRRF", poses=_KR210_HAND),
+""", KR210, convention="modified", kinds="RRRRRRF", poses=KR210_AT_ZERO),
     Published(
         "KR 210 with variables of a program, to the wrist",
         "https://github.com/dimaga/RoboND-Kinematics-Project README.md",
@@ -69,7 +65,7 @@ Transformations | alpha(i-1) | a(i-1) | d(i) | theta(i)
 |$T_4^5$   |   $\pi/2$    |   $0$   |       |   $q_5$   |
 |$T_5^6$   |   $-\pi/2$   |   $0$   |       |   $q_6$   |
 |$T_6^7$   |   $0$        |   $0$   |$0.303$|   $0$     |
-""", _KR210, convention="modified", kinds="RRRRRRF", poses=_KR210_HAND),
+""", KR210, convention="modified", kinds="RRRRRRF", poses=KR210_AT_ZERO),
     Published(
         "KR 210 in bold letters, angles as equations",
         "https://github.com/jfjensen/RoboND-Kinematics-Project writeup.md",
@@ -83,7 +79,7 @@ Transformations | alpha(i-1) | a(i-1) | d(i) | theta(i)
 | 5           | $\frac{\pi}{2}$        | 0                 | 0             |                                      |
 | 6           | $-\frac{\pi}{2}$       | 0                 | 0             |                                      |
 | 7           | 0                      | 0                 | 0.303         | $\theta_7 = 0$                       |
-""", _KR210, convention="modified", kinds="RRRRRRF", poses=_KR210_HAND),  # noqa: E501
+""", KR210, convention="modified", kinds="RRRRRRF", poses=KR210_AT_ZERO),  # noqa: E501
     Published(
         "PhantomX Pincher, parts of pi beside millimetres",
         "https://github.com/EdoCuadros/Lab5 README.md",
@@ -289,7 +285,7 @@ $^{6}_{7}T$   & $0$            & $0$       & $0.303$ & $0$                  \\
 \hline
 \end{tabular}
 \end{center}
-""", _KR210, convention="modified", kinds="RRRRRRF", poses=_KR210_HAND),
+""", KR210, convention="modified", kinds="RRRRRRF", poses=KR210_AT_ZERO),
     Published(
         "mobile fruit picker of nine joints, one flipped, one sliding",
         "https://github.com/brunofavs/TP2_RI-Robot-Kinematics docs/paper/main.tex, table 1",

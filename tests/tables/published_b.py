@@ -9,16 +9,11 @@ from __future__ import annotations
 
 from math import atan2, degrees, hypot
 
-from published import Published
+from published import KR210, KR210_AT_ZERO, Published
 
 _GITHUB = "https://github.com/"
 
 _ELBOW = degrees(atan2(0.245, 0.06))  # of the WidowX AI, whose table names it so
-
-# The KR 210 of the Udacity course: six joints, then a fixed gripper.
-_KR210 = ((0, 0.75, 0, 0), (-90, 0, 0.35, -90), (0, 0, 1.25, 0), (0, 1.5, -0.054, -90),
-          (0, 0, 0, 90), (0, 0, 0, -90), (0, 0.303, 0, 0))
-_KR210_AT_ZERO = (((0, 0, 0, 0, 0, 0), (2.153, 0, 1.946)),)  # the course's forward kinematics demo
 
 TABLES: tuple[Published, ...] = (
     # ---- Markdown, as repositories have it ----
@@ -264,7 +259,7 @@ Links | alpha(i-1) | a(i-1) | d(i-1) | theta(i)
 5->6 | - pi/2 | 0 | 0 | q6
 6->EE | 0 | 0 | 0.303 | 0
 """,
-        convention="modified", kinds="RRRRRRF", rows=_KR210, poses=_KR210_AT_ZERO),
+        convention="modified", kinds="RRRRRRF", rows=KR210, poses=KR210_AT_ZERO),
     Published(
         name="KR 210, q(i) as head",
         source=_GITHUB + "NitishPuri/RoboND-Kinematics-Project, writeup.md (its p1 in row 4 is pi)",
@@ -279,7 +274,7 @@ Link(i) | alpha(i-1) | a(i-1) | d(i) | q(i)
 6 | -pi/2 | 0 | 0 | q6
 7(G) | 0 | 0 | 0.303 | 0
 """,
-        convention="modified", kinds="RRRRRRF", rows=_KR210, poses=_KR210_AT_ZERO),
+        convention="modified", kinds="RRRRRRF", rows=KR210, poses=KR210_AT_ZERO),
     Published(
         name="KR 210, entities for Greek and subscripts",
         source=_GITHUB + "yycho0108/RoboND-Kinematics-Project, writeup.md",
@@ -294,8 +289,8 @@ Link(i) | alpha(i-1) | a(i-1) | d(i) | q(i)
 -&pi;/2   | 0      | 0    | q&#8326;
 0         | 0      | 0.303| 0
 """,
-        convention="modified", choices={"convention": "modified"}, kinds="RRRRRRF", rows=_KR210,
-        poses=_KR210_AT_ZERO),
+        convention="modified", choices={"convention": "modified"}, kinds="RRRRRRF", rows=KR210,
+        poses=KR210_AT_ZERO),
     Published(
         name="KR 210, capitals, and two signs of its own",
         source=_GITHUB + "tiedyedguy/RoboND-Kinematics-Project, README",
@@ -327,7 +322,7 @@ Links | alpha(i-1) | a(i-1) | theta(i) | d(i)
 5->6 | -pi/2 | 0 | theta6 | 0
 6->G | 0 | 0 | 0 | dG = 0.303
 """,
-        convention="modified", kinds="RRRRRRF", rows=_KR210, poses=_KR210_AT_ZERO),
+        convention="modified", kinds="RRRRRRF", rows=KR210, poses=KR210_AT_ZERO),
     Published(
         name="KR 210, subscripts as HTML",
         source=_GITHUB + "theayoad/RoboND-Kinematics-Project, README",
@@ -342,7 +337,7 @@ Links | α<sub>i-1</sub> | a<sub>i-1</sub> | d<sub>i-1</sub> | Θ<sub>i</sub>
 5->6 | -pi/2 | 0 | 0 | Θ<sub>6</sub>
 6->EE | 0 | 0 | 0.303 | 0
 """,
-        convention="modified", kinds="RRRRRRF", rows=_KR210, poses=_KR210_AT_ZERO),
+        convention="modified", kinds="RRRRRRF", rows=KR210, poses=KR210_AT_ZERO),
     # ---- pages and manuals, as a browser hands them over ----
     Published(
         name="UR10e, masses beside the lengths",
