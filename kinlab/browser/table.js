@@ -142,6 +142,7 @@ export class Editor {
       : null;
     if (found) {
       found.focus({ preventScroll: true });
+      if (this.next) found.scrollIntoView({ block: "nearest" });
       if (half != null && !this.next) found.value = half;
       else if (this.next && found.select) found.select();
       this.next = "";
@@ -487,7 +488,7 @@ export class Editor {
     const row = rows[at], step = { ArrowUp: -1, ArrowDown: 1 }[event.key];
     if (step && event.altKey) this.move(row.key, step);
     else if (event.altKey && event.key === "Delete") this.remove(row.key);
-    else if (event.altKey && event.key === "-" && row.variable) {
+    else if (event.altKey && event.code === "Minus" && row.variable) {
       this.send("with_flip", at + 1, !row.flip);
     }
     else if (step && !event.shiftKey) {
