@@ -119,6 +119,18 @@ def names_in(text: str) -> set[str]:
     return set(re.findall(r"[A-Za-z_][A-Za-z_0-9]*", text))
 
 
+def in_python(text: str, names: Mapping[str, float]) -> str:
+    """A text that can be read, in the spelling of Python; whole numbers stay whole.
+
+    Examples
+    --------
+    >>> in_python("−2·L1^2", {"L1": 0.5})
+    '- 2 * L1 ** 2'
+    """
+    tokens = _spelled(text, _known(names)).split()
+    return " ".join(token.removesuffix(".0") for token in tokens)
+
+
 class _Refused(Exception):
     """Why the text is no number."""
 

@@ -27,12 +27,13 @@ from ..tables.cells import MILLIMETRES, angle_text, number_text
 from ..tables.other_convention import other_reading
 from ..tables.question import Ambiguous
 from ..tables.read import read_table
-from ..tables.table import DHTable, Row
+from ..tables.table import DHTable, Place, Row
 from .arm_view import ArmView, formula_of, joints_text, remarks_html
 from .table_panels import (
     compared_html,
     ends_text,
-    lengths_of,
+    left_out_text,
+    lengths_in,
     lengths_text,
     named_cells,
     reasons,
@@ -373,18 +374,27 @@ class DHTableEditor(ArmView):
 
         if sum(map(_is_odd, self._arm.links)) > MOST_ODD_ANGLES:
             return _ODD
-        table, why_not = self._shown_table, ""
-        named = named_cells(table) if table.arm else {}
-        lengths = "symbols" if self._open == "symbols" else \
-            lengths_of(table) if named else "numbers"
-        try:
-            form = closed_form(self._arm, lengths=lengths, symbols=named)
-        except ValueError as error:  # a name that has another meaning in a formula
-            form, why_not = closed_form(self._arm), f"Without names: {error}."
+        lengths = lengths_in(self._shown_table)
+        named, left_out = self._written(lengths if self._open == "closed" else "symbols")
+        form = closed_form(self._arm, symbols=named, lengths="symbols"
+                           if self._open == "symbols" else lengths if named else "numbers")
         if len(form.latex) > LONGEST_FORMULA:
             return _ODD
         formula = formula_of(self._arm, f"T_0^{{{tool_name(self._arm)}}} = {form.latex}")
-        return formula + remarks_html(form.remark, why_not)
+        return formula + remarks_html(form.remark, left_out_text(left_out))
+
+    def _written(self, lengths: Any) -> tuple[dict, list[Place]]:
+        """The texts that stand for numbers in a formula, and where a text cannot."""
+        from ..arms.letters import letters
+
+        named, left_out = {}, []
+        for place, text in named_cells(self._shown_table).items():
+            try:
+                letters(self._arm, lengths, {tuple(place): text})
+                named[tuple(place)] = text
+            except ValueError:  # such as d2 where joint 2 slides
+                left_out.append(place)
+        return named, left_out
 
     def _compared(self) -> str:
         arm, q = self._arm, self.q

@@ -10,7 +10,7 @@ from ..arms.arm import CONVENTIONS, Arm
 from ..arms.link import PARAMETERS
 from ..tables.cells import MILLIMETRES, angle_text, is_plain
 from ..tables.ends import ENDS, TURNS, End
-from ..tables.numbers import names_in
+from ..tables.numbers import in_python, names_in
 from ..tables.other_convention import OtherReading, frame_text
 from ..tables.table import COLUMNS, DHTable, Place, Row
 
@@ -94,24 +94,34 @@ def _where(place: Place) -> str:
     return f"{place.row.capitalize() if place.row in ENDS else f'Row {place.row}'}, {place.column}"
 
 
-def named_cells(table: DHTable) -> dict[tuple[int, str], str]:
-    """The texts of the lengths that name others, by row (from 1) and column.
+def named_cells(table: DHTable) -> dict[Place, str]:
+    """The texts of the lengths that name others, as Python spells them.
 
     Examples
     --------
     >>> named_cells(DHTable((Row(a="2*L1", d="3"),), lengths=(("L1", "0.5"),)))
-    {(1, 'a'): '2*L1'}
+    {Place(row=1, column='a'): '2 * L1'}
     """
-    names = {name for name, _ in table.lengths}
-    texts = {(i, column): getattr(row, column) for i, row in enumerate(table.rows, start=1)
+    names = {name: table.values[Place(k, "length")] for k, (name, _)
+             in enumerate(table.lengths, start=1) if Place(k, "length") in table.values}
+    texts = {Place(i, column): getattr(row, column) for i, row in enumerate(table.rows, start=1)
              for column in ("d", "a")}
-    return {cell: text for cell, text in texts.items() if names & names_in(text)}
+    return {place: in_python(text, names) for place, text in texts.items()
+            if place in table.values and names_in(text) & names.keys()}
 
 
-def lengths_of(table: DHTable) -> dict[str, float]:
-    """The named lengths of a table that can be read."""
+def lengths_in(table: DHTable) -> dict[str, float]:
+    """The named lengths of a table that stand in its cells."""
+    used = set().union(*map(names_in, named_cells(table).values()))
     return {name: table.values[Place(k, "length")]
-            for k, (name, _) in enumerate(table.lengths, start=1)}
+            for k, (name, _) in enumerate(table.lengths, start=1) if name in used}
+
+
+def left_out_text(places: list[Place]) -> str:
+    """Which names do not stand in a formula; "" if all do."""
+    where = ", ".join(map(_where, places))
+    return where and (f"{where}: the text does not stand in the formula, where a name of it means "
+                      "something else, or does not say its value.")
 
 
 def signs_html(arm: Arm) -> str:

@@ -472,8 +472,11 @@ def test_named_lengths_stand_in_the_formula():
 def test_a_name_that_means_a_joint_is_left_out_of_the_formula():
     editor = kl.DHTableEditor(kl.robots.cylindrical(), lengths={"d2": 0.5})
     editor.set(1, "d", "d2")
-    tell(editor, "open", "closed")
-    assert "Without names: " in editor.panel and "d2 is the variable of joint 2" in editor.panel
+    editor.table = editor.table.with_length(2, "L", "0.1").with_cell(3, "a", "2·L")
+    for panel in ("closed", "symbols"):
+        tell(editor, "open", panel)
+        assert "Row 1, d: the text does not stand in the formula" in editor.panel
+        assert "2 L" in editor.panel
 
 
 def test_a_rounded_angle_is_named_beside_the_formula():
