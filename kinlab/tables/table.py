@@ -143,9 +143,13 @@ class DHTable:
 
     @property
     def hints(self) -> dict[Place, str]:
-        return {Place(i, column): hint for i, row in enumerate(self.rows, start=1)
-                for column in COLUMNS
-                if row.is_angle(column) and (hint := angle_hint(getattr(row, column), self.angles))}
+        angles = {Place(i, column): getattr(row, column)
+                  for i, row in enumerate(self.rows, start=1)
+                  for column in COLUMNS if row.is_angle(column)}
+        angles |= {Place(end, column): text for end, frame in self._ends() if frame.texts
+                   for column, text in zip(frame.columns, frame.texts) if column in TURNS}
+        return {place: hint for place, text in angles.items()
+                if (hint := angle_hint(text, self.angles))}
 
     @cached_property
     def arm(self) -> Arm | None:

@@ -32,6 +32,7 @@ from .arm_view import ArmView, formula_of, joints_text, remarks_html
 from .table_panels import (
     compared_html,
     ends_text,
+    hints,
     left_out_text,
     lengths_in,
     lengths_text,
@@ -255,7 +256,7 @@ class DHTableEditor(ArmView):
         title = printed.title(repr(table.name) if table.name else "", table.convention, table.unit)
         return "\n".join([f"{type(self).__name__}({title})",
                           *printed.lines(table_text(table), words=1),
-                          *lengths_text(table), *ends_text(table), *reasons(table)])
+                          *lengths_text(table), *ends_text(table), *reasons(table), *hints(table)])
 
     def _elsewhere(self) -> tuple[dict, dict]:
         return {"text/plain": repr(self)}, {}

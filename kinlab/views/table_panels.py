@@ -88,6 +88,10 @@ def reasons(table: DHTable) -> list[str]:
     return [f"{_where(place)}: {reason}" for place, reason in table.errors.items()]
 
 
+def hints(table: DHTable) -> list[str]:
+    return [f"{_where(place)}: {hint}" for place, hint in table.hints.items()]
+
+
 def _where(place: Place) -> str:
     if place.column == "length":
         return f"Length {place.row}"

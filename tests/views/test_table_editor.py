@@ -454,6 +454,9 @@ def test_an_odd_angle_is_hinted_at_and_is_no_error(editor):
     state = tell(editor, "with_cell", 2, "alpha", "1.5708")
     cell = state["rows"][1]["cells"]["alpha"]
     assert "pi/2" in cell["hint"] and not cell["error"] and state["wrong"] == 0
+    editor.set("tool", "yaw", "-1.5708")
+    assert repr(editor).splitlines()[-2:] == [
+        "Row 2, alpha: did you mean pi/2?", "Tool, yaw: did you mean -pi/2?"]
 
 
 # ---- the formula has the table's names ----
