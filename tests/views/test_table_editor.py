@@ -354,6 +354,16 @@ def test_what_is_ambiguous_is_asked_and_answered(editor):
     assert math.degrees(editor.arm.links[0].alpha) == pytest.approx(1.5708)
 
 
+def test_answers_add_up(editor):
+    state = tell(editor, "load", "0 0.1 0 1.5708\n0 0 1 0\n")
+    assert "in which order" in state["question"]["text"]
+    state = tell(editor, "answer", state["question"]["options"].index("theta d a alpha"))
+    assert state["question"]["options"] == ["degrees", "radians"]
+    tell(editor, "answer", 1)
+    assert editor.cells["question"] is None and "theta d a alpha" in editor.said
+    assert (editor.arm.n, editor.arm.links[0].alpha, editor.arm.links[1].a) == (2, 1.5708, 1)
+
+
 @pytest.mark.parametrize("step", [("dismiss",), ("with_cell", 1, "a", "3"), ("undo",),
                                   ("load", "hello"), ("load", TYPED.replace("1.5708", "90"))])
 def test_a_question_is_gone_when_something_else_is_done(editor, step):
