@@ -341,7 +341,7 @@ export class Editor {
         ? [make("span", { class: "kl-room" })] : [];   // cells of a column stand in line
       return make("td", { class: star ? "kl-starred" : "" }, ...(star ? [this.star(row)] : room),
         input, make("span", { class: "kl-reads" }),
-        ...(column === "home" ? [this.lock(row)] : []));
+        ...(column === "home" && row.variable ? [this.lock(row)] : []));
     });
     const tools = make("td", { class: "kl-tools" },
       press("↑", `Move row ${i} up (Alt+↑)`, () => this.move(row.key, -1),

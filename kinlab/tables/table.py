@@ -265,13 +265,11 @@ class DHTable:
 
     def with_flip(self, row: int, flip: bool) -> DHTable:
         """The joint made to count the other way, or as z says again."""
-        if flip and self._row(row).kind == FIXED:
-            raise ValueError(f"row: expected a joint in row {row}, got a fixed row")
-        return self._with(row, flip=inputs.yes_or_no("flip", flip))
+        return self._with_joint(row, flip=inputs.yes_or_no("flip", flip))
 
     def with_limits(self, row: int, low: str, high: str) -> DHTable:
         """Both limits of a joint changed: two equal ones lock it, two empty ones are none."""
-        return self._with(row, low=line(low), high=line(high))
+        return self._with_joint(row, low=line(low), high=line(high))
 
     def with_row(self, after: int | None = None) -> DHTable:
         """A new row of zeros below another; the last if left out."""
@@ -369,6 +367,11 @@ class DHTable:
         return scaled._rewritten(False, lambda text: length_in(text, old, new, names, new_names),
                                  lengths=lengths, unit=new)
 
+    def _with_joint(self, row: int, **changes: Any) -> DHTable:
+        if self._row(row).kind == FIXED:
+            raise ValueError(f"row: expected a joint in row {row}, got a fixed row")
+        return self._with(row, **changes)
+
     def _with(self, row: int, **changes: Any) -> DHTable:
         changed = replace(self._row(row), **changes)
         return replace(self, rows=(*self.rows[:row - 1], changed, *self.rows[row:]))
@@ -427,7 +430,10 @@ def _note(place: Place, read: Callable, text: str, values: dict, errors: dict) -
 
 def _check_limits(i: int, row: Row, values: dict, errors: dict) -> None:
     low, high = (values.get(Place(i, column)) for column in ("low", "high"))
-    if bool(row.low) != bool(row.high):
+    if row.kind == FIXED:
+        errors |= {Place(i, column): "a fixed row has no joint; leave this cell empty"
+                   for column in LIMITS if getattr(row, column)}
+    elif bool(row.low) != bool(row.high):
         column = "high" if row.low else "low"
         errors[Place(i, column)] = "expected both limits, or neither"
     elif low is not None and high is not None and low != high and high - low < _NARROWEST:

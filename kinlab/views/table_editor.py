@@ -3,7 +3,7 @@ from __future__ import annotations
 
 import base64
 from collections import deque
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 from threading import RLock
 from typing import Any
@@ -179,8 +179,8 @@ class DHTableEditor(ArmView):
         --------
         >>> editor = DHTableEditor()
         >>> editor.set("tool", "z", "0.303")
-        >>> editor.arm.tool[2, 3]
-        np.float64(0.303)
+        >>> float(editor.arm.tool[2, 3])
+        0.303
         """
         self.table = self._table.with_cell(row, column, text)
 
@@ -375,23 +375,27 @@ class DHTableEditor(ArmView):
 
         if sum(map(_is_odd, self._arm.links)) > MOST_ODD_ANGLES:
             return _ODD
-        lengths = lengths_in(self._shown_table)
-        named, left_out = self._written(lengths if self._open == "closed" else "symbols")
-        form = closed_form(self._arm, symbols=named, lengths="symbols"
-                           if self._open == "symbols" else lengths if named else "numbers")
+        named, left_out = self._written()
+        form = closed_form(self._arm, symbols=named, lengths=self._lengths(named.values()))
         if len(form.latex) > LONGEST_FORMULA:
             return _ODD
         formula = formula_of(self._arm, f"T_0^{{{tool_name(self._arm)}}} = {form.latex}")
         return formula + remarks_html(form.remark, left_out_text(left_out))
 
-    def _written(self, lengths: Any) -> tuple[dict, list[Place]]:
+    def _lengths(self, texts: Collection[str]) -> Any:
+        """How lengths stand in a formula that has these texts of the table in it."""
+        if self._open == "symbols":
+            return "symbols"
+        return lengths_in(self._shown_table, texts) if texts else "numbers"
+
+    def _written(self) -> tuple[dict, list[Place]]:
         """The texts that stand for numbers in a formula, and where a text cannot."""
         from ..arms.letters import letters
 
         named, left_out = {}, []
         for place, text in named_cells(self._shown_table).items():
             try:
-                letters(self._arm, lengths, {tuple(place): text})
+                letters(self._arm, self._lengths([text]), {tuple(place): text})
                 named[tuple(place)] = text
             except ValueError:  # such as d2 where joint 2 slides
                 left_out.append(place)

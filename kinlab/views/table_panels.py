@@ -1,6 +1,7 @@
 """What a DH table's editor shows: its state for the browser, its text, and its panels."""
 from __future__ import annotations
 
+from collections.abc import Iterable
 from html import escape
 
 import numpy as np
@@ -12,7 +13,7 @@ from ..tables.cells import MILLIMETRES, angle_text, is_plain
 from ..tables.ends import ENDS, TURNS, End
 from ..tables.numbers import in_python, names_in
 from ..tables.other_convention import OtherReading, frame_text
-from ..tables.table import COLUMNS, DHTable, Place, Row
+from ..tables.table import COLUMNS, LIMITS, DHTable, Place, Row
 
 
 def state(table: DHTable) -> dict:
@@ -32,7 +33,8 @@ def state(table: DHTable) -> dict:
 
 def _row(table: DHTable, row: Row, i: int, joint: int) -> dict:
     low, high = (table.values.get(Place(i, column)) for column in ("low", "high"))
-    columns = COLUMNS if row.variable else PARAMETERS
+    has_limits = row.variable or any(getattr(row, column) for column in LIMITS)
+    columns = COLUMNS if has_limits else PARAMETERS
     return {"key": row.key, "kind": row.kind, "variable": row.variable, "name": row.name,
             "joint": joint, "flip": row.flip, "locked": low is not None and low == high,
             "cells": {column: _cell(table, Place(i, column), getattr(row, column),
@@ -114,9 +116,9 @@ def named_cells(table: DHTable) -> dict[Place, str]:
             if place in table.values and names_in(text) & names.keys()}
 
 
-def lengths_in(table: DHTable) -> dict[str, float]:
-    """The named lengths of a table that stand in its cells."""
-    used = set().union(*map(names_in, named_cells(table).values()))
+def lengths_in(table: DHTable, texts: Iterable[str]) -> dict[str, float]:
+    """The named lengths of a table that stand in some texts."""
+    used = set().union(*map(names_in, texts))
     return {name: table.values[Place(k, "length")]
             for k, (name, _) in enumerate(table.lengths, start=1) if name in used}
 

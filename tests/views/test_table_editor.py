@@ -434,6 +434,18 @@ def test_a_joint_is_locked_where_it_is(editor):
     editor.q = [0, 0.25, 0.5]
     editor.lock(2)
     assert editor.table.rows[1].low == "0.25"
+    tell(editor, "with_kind", 3, "fixed")
+    before = editor.table
+    assert "got a fixed row" in tell(editor, "lock", 3)["said"] and editor.table is before
+
+
+def test_limits_of_a_fixed_row_are_marked(editor):
+    state = tell(editor, "load", "joint,theta,d,a,alpha,low,high\nrevolute,0,1,0,90,,\n"
+                                 "fixed,0,0,1,0,1,2\n")
+    assert state["wrong"] == 2 and "no joint" in state["rows"][1]["cells"]["low"]["error"]
+    tell(editor, "with_cell", 2, "low", "")
+    state = tell(editor, "with_cell", 2, "high", "")
+    assert state["wrong"] == 0 and "low" not in state["rows"][1]["cells"]
 
 
 def test_joint_values_come_back_with_their_rows(editor):
@@ -486,9 +498,10 @@ def test_a_name_that_means_a_joint_is_left_out_of_the_formula():
     editor = kl.DHTableEditor(kl.robots.cylindrical(), lengths={"d2": 0.5})
     editor.set(1, "d", "d2")
     editor.table = editor.table.with_length(2, "L", "0.1").with_cell(3, "a", "2·L")
+    editor.table = editor.table.with_length(3, "C1", "0.2").with_cell(2, "a", "C1")
     for panel in ("closed", "symbols"):
         tell(editor, "open", panel)
-        assert "Row 1, d: the text does not stand in the formula" in editor.panel
+        assert "Row 1, d, Row 2, a: the text does not stand in the formula" in editor.panel
         assert "2 L" in editor.panel
 
 
