@@ -1,7 +1,7 @@
 """Random texts given to the reader of tables: what comes out, what is raised, how long it takes.
 
-A quarter each: pieces of tables thrown together; characters at random; formulas at the edge of what
-a number holds, as cells of a table; and real tables of all forms with a few characters changed.
+A fifth each: pieces of tables thrown together; characters at random; what is thrown at
+`kl.parse_number`; tables with such a text in a cell; and real tables of all forms, spoilt.
 """
 from __future__ import annotations
 

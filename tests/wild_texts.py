@@ -2,6 +2,8 @@
 import random
 from math import pi
 
+from typed_numbers import formula, strings
+
 import kinlab as kl
 from kinlab.tables.as_csv import to_csv
 from kinlab.tables.as_document import to_latex, to_markdown
@@ -45,39 +47,35 @@ def tables():
 
 
 def wild_texts(count, rng: random.Random):
-    """Pieces, characters, formulas as cells, and tables with a few characters changed; by turns."""
-    good = tables()
-    for turn in range(count):
-        yield (_pieces, _characters, _formulas, _spoilt)[turn % 4](rng, good)
+    """Pieces, characters, what is typed for numbers, tables of it, and spoilt tables; by turns."""
+    good, typed = tables(), strings(count)
+    for turn, text in enumerate(typed):
+        yield (_pieces, _characters, _typed, _cells, _spoilt)[turn % 5](rng, good, text)
 
 
-def _pieces(rng, _):
+def _pieces(rng, *_):
     return "".join(rng.choices(PIECES, k=rng.choice((1, 5, 30, 200, 2000))))
 
 
-def _characters(rng, _):
+def _characters(rng, *_):
     highest = rng.choice((128, 0x400, 0x110000))
     return "".join(map(chr, rng.choices(range(highest), k=rng.choice((1, 10, 150, 3000)))))
 
 
-def _formulas(rng, _):
+def _typed(rng, _, text):
+    return text
+
+
+def _cells(rng, _, text):
+    """A table of formulas, in one of whose cells something is typed."""
     sign = rng.choice((",", ";", "\t", " | ", " & ", "  "))
-    end = " \\\\\n" if sign == " & " else "\n"
-    rows = [["theta", "d", "a", "alpha"],
-            *([_formula(rng) for _ in range(4)] for _ in range(rng.choice((1, 6, 70))))]
-    return end.join(sign.join(row) for row in rows)
+    rows = [[formula(rng, 2) for _ in range(4)] for _ in range(rng.choice((1, 6, 58)))]
+    rng.choice(rows)[rng.randrange(4)] = text
+    lines = (sign.join(row) for row in [["theta", "d", "a", "alpha"], *rows])
+    return (" \\\\\n" if sign == " & " else "\n").join(lines)
 
 
-def _formula(rng, depth=0):
-    if depth > 2 or rng.random() < 0.4:
-        return rng.choice(["1e308", "1e-320", "0", "-1", "0.5", "pi", "q1", "d2", "9 deg", "1e99",
-                           "1,5"])
-    left, right = _formula(rng, depth + 1), _formula(rng, depth + 1)
-    return rng.choice([f"({left}){rng.choice(['+', '-', '*', '/', '**'])}({right})",
-                       f"{rng.choice(['sin', 'cos', 'sqrt', '-', ''])}({left})"])
-
-
-def _spoilt(rng, good):
+def _spoilt(rng, good, _):
     text = rng.choice(good)
     for _ in range(rng.choice((1, 3, 20))):
         at = rng.randrange(len(text) + 1)
