@@ -253,10 +253,19 @@ def _found(text: str) -> Sheet:
     if sheet is None or not sheet.rows:
         raise ValueError(f"text: expected {_SHAPE}, got "
                          f"{'no such header' if sheet is None else 'no line under it'}")
+    _check_units(sheet.heads)
     if len(sheet.rows) > MOST_ROWS:
         raise ValueError(f"text: expected 1 to {MOST_ROWS} rows under the headings, "
                          f"got {len(sheet.rows)}")
     return sheet
+
+
+def _check_units(heads: Iterable[Heading]) -> None:
+    for head in heads:
+        is_angle = head.column in ("theta", "alpha")
+        if head.unit and head.column in PARAMETERS and is_angle != (head.unit in ANGLES):
+            raise ValueError(f"text: the header has {inputs.brief(head.text)}; expected "
+                             "an angle in deg or rad, or a length in mm, cm, m or in")
 
 
 def _with_heads(sheet: Sheet, answers: Mapping[str, str]) -> Sheet:

@@ -55,10 +55,11 @@ def find_sheet(text: str) -> Sheet | None:
     >>> [head.column for head in sheet.heads], sheet.rows, sheet.around
     (['theta', 'd', 'a', 'alpha'], (('0', '215', '0', '-90'),), (('The arm:',),))
     """
-    found = list(_until_whole(map(_headed, grids(text))))
-    found = found or list(_until_whole(_headed(_turned(lines)) for lines in grids(text)))
+    cuts = list(grids(text))
+    found = list(_until_whole(map(_headed, cuts)))
+    found = found or list(_until_whole(_headed(_turned(lines)) for lines in cuts))
     whole = [sheet for sheet in found if sheet.is_whole]
-    return next(iter([*whole, *found]), None) or next(filter(None, map(_bare, grids(text))), None)
+    return next(iter([*whole, *found]), None) or next(filter(None, map(_bare, cuts)), None)
 
 
 def _until_whole(sheets: Iterable[Sheet | None]) -> Iterator[Sheet]:

@@ -529,6 +529,8 @@ def test_words_that_are_nearly_right(word, convention, angles):
     ("", "no such header"), ("1,2,3", "no such header"), ("theta,alpha\n",
                                                               "no line under it"),
     ("alpha,theta,alpha\n1,2,3", "'alpha' twice"), ("alpha,d\n1,2,3", "line 2 has 3 cells under 2"),
+    ("theta,d,a,alpha [mm]\n0,0,0,0", "expected an angle in deg or rad"),
+    ("theta,d [deg],a,alpha\n0,0,0,0", "or a length in mm"),
     ("convention,hayati\ntheta,alpha\n1,2",
      "convention is 'hayati'; expected standard or modified"),
     ("angles,gon\ntheta,alpha\n1,2", "angles is 'gon'; expected deg or rad"),
