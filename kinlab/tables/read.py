@@ -2,7 +2,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from ..arms import inputs
@@ -23,6 +23,7 @@ from .headings import Heading, headings
 from .measures import angle_of, length_text, unit_of, value_of, with_names
 from .own import own_table, table_of
 from .question import Ambiguous
+from .remarks import UNIT_WORDS, listed, remark_of
 from .rows import Cells, cells_of
 from .settings import said_in
 from .sheet import Sheet, find_sheet
@@ -37,7 +38,6 @@ _ORDERS = ("theta d a alpha", "a alpha d theta", "d theta a alpha", "alpha a d t
 MOST_LINES = 500
 _IMPORTS = ("import ", "from ")
 _SHAPE = "a header such as theta,d,a,alpha and one line per joint"
-_WORDS = {"deg": "degrees", "rad": "radians"}
 _HAS_UNIT = re.compile(r"°|\b(?:deg|rad|pi)\b|[0-9](?:deg|rad)\b")
 
 
@@ -150,7 +150,7 @@ class _Reading:
                                            unit)
         table = DHTable(tuple(_row(row) for row in rows), convention, angles, unit, lengths,
                         self.said.name, self.said.base, self.said.tool)
-        return Loaded(_limited(table), self._remark(table))
+        return Loaded(_limited(table), remark_of(table, self.sheet, self.notes))
 
     def _without_commas(self) -> Sheet:
         """The table with points where it has decimal commas, in the columns of numbers."""
@@ -190,7 +190,7 @@ class _Reading:
         if hints:
             raise Ambiguous(
                 f"Are the angles in degrees or in radians? One is {hints[0]}.",
-                tuple((_WORDS[unit], {"angles": unit}) for unit in ANGLES))
+                tuple((UNIT_WORDS[unit], {"angles": unit}) for unit in ANGLES))
         return self.like.angles
 
     def _unit(self, cells: Sequence[Cells]) -> str:
@@ -225,27 +225,11 @@ class _Reading:
             rows[k] = replace(rows[k], texts={**rows[k].texts, column: text})
         new = {name: value_of(name, self.said.named) for name in others}
         if empty := [name for name, text in new.items() if not text]:
-            self.notes.append(f"give {_listed(empty)} a value")
+            self.notes.append(f"give {listed(empty)} a value")
         if len(lengths) + len(new) > MOST_LENGTHS:
             raise ValueError(f"text: expected at most {MOST_LENGTHS} named lengths, "
                              f"got {len(lengths) + len(new)}")
         return rows, tuple((lengths | new).items())
-
-    # ---- what was assumed ----
-
-    def _remark(self, table: DHTable) -> str:
-        known = [f"Read as {table.convention} DH", f"angles in {_WORDS[table.angles]}",
-                 f"lengths in {table.unit}" if table.unit else "lengths in the arm's unit"]
-        slides, fixed, flipped = (_numbers(test, table.rows) for test in (
-            lambda row: row.kind == PRISMATIC, lambda row: row.kind == FIXED,
-            lambda row: row.flip))
-        facts = [f"{_rows_are(numbers)} {words[len(numbers) > 1]}" for numbers, words in (
-            (slides, ("slides", "slide")), (fixed, ("is fixed", "are fixed")),
-            (flipped, ("counts the other way", "count the other way"))) if numbers]
-        left = ["the first of the tables"] * self.sheet.another
-        out = [head.text for head in self.sheet.heads if not head.column and head.text.strip()]
-        left += [f"left out: {_listed(map(inputs.brief, out))}"] if out else []
-        return "; ".join([", ".join(known), *facts, *left, *self.notes]) + "."
 
 
 def _found(text: str) -> Sheet:
@@ -303,8 +287,8 @@ def _may_stand(column: str, cell: str) -> bool:
 
 
 def _row(cells: Cells) -> Row:
-    texts = {column: line(text) for column, text in cells.texts.items()
-             if column in (*PARAMETERS, *LIMITS)}
+    columns = PARAMETERS if cells.kind == FIXED else (*PARAMETERS, *LIMITS)
+    texts = {column: line(text) for column, text in cells.texts.items() if column in columns}
     return Row(cells.kind, flip=cells.flip, name=line(cells.name)).with_cells(texts)
 
 
@@ -313,16 +297,3 @@ def _lengths_in(table: DHTable, unit: str) -> dict[str, str]:
     both = {table.unit, unit} <= MILLIMETRES.keys()
     return {name: length_in(text, table.unit, unit, {}, {}) if both else text
             for name, text in table.lengths}
-
-
-def _numbers(test: Callable[[Row], bool], rows: Iterable[Row]) -> list[str]:
-    return [str(i) for i, row in enumerate(rows, start=1) if test(row)]
-
-
-def _rows_are(numbers: Sequence[str]) -> str:
-    return f"row{'s' * (len(numbers) > 1)} {_listed(numbers)}"
-
-
-def _listed(words: Iterable[str]) -> str:
-    *first, last = words
-    return f"{', '.join(first)} and {last}" if first else last

@@ -4,6 +4,7 @@ from __future__ import annotations
 import html
 import re
 import unicodedata
+from functools import lru_cache
 
 _CHARACTERS = str.maketrans({
     **dict.fromkeys("−–—‐‑‒⁻", "-"), **dict.fromkeys("º˚∘ᵒ", "°"), **dict.fromkeys("×·⋅∗", "*"),
@@ -33,6 +34,7 @@ _PI = re.compile(r"\b(?:PI|Pi|M_PI)\b|(?<=[0-9])PI\b")
 _LONGEST = 300
 
 
+@lru_cache(maxsize=4096)  # a cell is asked for its kind of joint, its unit and its number
 def plain(text: str) -> str:
     """A cell or a heading in the signs that kinlab reads; what is not known stays.
 

@@ -426,6 +426,15 @@ def test_a_kind_that_nobody_knows_is_refused():
         read("type,theta,d,a,alpha\nscrew,0,1,0,0\n")
 
 
+@pytest.mark.parametrize("text", [
+    "type,theta,d,a,alpha,low,high,home\nR,0,1,0,0,-1,1,0\nfixed,0,1,0,0,-1,1,0.5\n",
+    "convention,standard\nangles,deg\nlengths,m\njoint,flip,theta,d,a,alpha,low,high\n"
+    "revolute,,0,1,0,0,-1,1\nfixed,-,0,1,0,0,-1,1\n"])
+def test_a_fixed_row_has_no_limits(text):
+    arm = read(text).arm
+    assert [link.limits is None for link in arm.links] == [False, True]
+
+
 # ---- named lengths ----
 
 
