@@ -67,8 +67,14 @@ class _Writer:
     def __init__(self, style: Style, joints: Sequence[sp.Symbol]) -> None:
         self.style = style
         self.places = {joint: i for i, joint in enumerate(joints, start=1)}
+        self.written: dict[sp.Expr, str] = {}  # groups come again and again in a long entry
 
     def sum(self, expression: sp.Expr) -> str:
+        if expression not in self.written:
+            self.written[expression] = self._sum(expression)
+        return self.written[expression]
+
+    def _sum(self, expression: sp.Expr) -> str:
         terms = sp.Add.make_args(expression)
         shared = reduce(set.intersection, (set(_factors(term)) for term in terms))
         if len(terms) > 1 and shared:
@@ -192,7 +198,12 @@ class _ByText:
         return isinstance(other, _ByText) and self.expression == other.expression
 
     def __lt__(self, other: _ByText) -> bool:
-        return str(self.expression) < str(other.expression)
+        return _sympy_text(self.expression) < _sympy_text(other.expression)
+
+
+@lru_cache(maxsize=16384)
+def _sympy_text(expression: sp.Expr) -> str:
+    return str(expression)
 
 
 @lru_cache(maxsize=16384)

@@ -5,7 +5,7 @@ multiples of pi/12 (`rounded`) are taken as those, lengths as the decimals they 
 """
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping
+from collections.abc import Collection, Iterable, Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property, lru_cache
 from math import prod
@@ -25,6 +25,7 @@ from .rounded import looks_rounded, meant, plain_angle
 NEGLIGIBLE = 1e-12
 # Products in one entry of a Jacobian: with more it is not multiplied out, nobody could read it.
 MOST_TERMS = 100
+LONG = 5_000  # products in an entry: with more, seconds become minutes
 
 
 @dataclass(frozen=True, eq=False)
@@ -130,6 +131,7 @@ def closed_form(arm: Arm, start: int = 0, stop: int | None = None, *,
     check_arm(arm)
     chain = _exact_chain(arm, _stretch(arm, start, stop), lengths, symbols)
     frame = matrix(follow(chain.motions, chain.joints)).astype(object)
+    _say_how_long(frame.flat)
     return chain.form(sp.Matrix(keep_whole(frame)[0]), range(3), [3])
 
 
@@ -159,6 +161,7 @@ def jacobian_form(arm: Arm, *, lengths: str | Mapping[str, float] = "numbers",
     check_arm(arm)
     chain = _exact_chain(arm, slice(0, len(arm.chain)), lengths, symbols)
     tool, twists = tool_and_twists(chain.motions, chain.joints)
+    _say_how_long(tool.origin)
     position = [_multiplied_out(component) for component in tool.origin]
     columns = [[*(component.diff(joint) for component in position),
                 *map(_multiplied_out, twist[3:])]
@@ -232,6 +235,14 @@ def _multiplied_out(component: Any) -> sp.Expr:
     """A sum of products, unless there would be too many to read."""
     component = sp.sympify(component)
     return sp.expand(component) if _products(component) <= MOST_TERMS else component
+
+
+def _say_how_long(entries: Iterable[Any]) -> None:
+    """A word before a formula that takes minutes; the work can be interrupted."""
+    longest = max(_products(sp.sympify(entry)) for entry in entries)
+    if longest > LONG:
+        inputs.note(f"this formula has entries of {longest} products, writing it takes minutes; "
+                    "a stretch of the chain is shorter: kl.closed_form(arm, start, stop)")
 
 
 @lru_cache(maxsize=4096)

@@ -1,4 +1,5 @@
 """Manipulability, rank, singular directions, and the Jacobian in closed form."""
+import warnings
 from math import pi
 
 import numpy as np
@@ -9,6 +10,8 @@ from strategies import arms, exact_angles, typed_lengths
 from test_kinematics import course, finite_difference, q_of
 
 import kinlab as kl
+from kinlab.arms import symbolic as symbolic_module
+from kinlab.arms.inputs import Note
 
 close = np.testing.assert_allclose
 
@@ -42,6 +45,17 @@ def test_six_odd_twists_stay_in_factors():
     assert len(form.entries[0][5]) < 8_000
     three = kl.jacobian_form(kl.Arm(arm.links[:3]))
     assert not any(entry.is_Mul and entry.has(sp.Add) for entry in three.matrix)
+
+
+def test_a_formula_that_takes_minutes_says_so_before(monkeypatch):
+    arm = kl.Arm([kl.revolute(a=0.1, alpha=0.7) for _ in range(3)])
+    monkeypatch.setattr(symbolic_module, "LONG", 6)  # the tip has 1 + 2 + 5 products in x
+    for form in (kl.closed_form, kl.jacobian_form):
+        with pytest.warns(Note, match=r"^this formula has entries of 8 products, .*start, stop\)$"):
+            form(arm)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        kl.closed_form(arm, 1)
 
 
 def test_closed_form_of_the_alpha_ii_as_a_textbook_writes_it():
