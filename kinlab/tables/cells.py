@@ -20,7 +20,7 @@ MILLIMETRES = {"mm": Decimal(1), "cm": Decimal(10), "m": Decimal(1000), "in": De
 LARGEST_ANGLE = 1e4  # rad, some 1,600 turns
 LARGEST_RADIANS = 6.3  # of a plain number in a table in radians, some one turn; more is unlikely
 SMALLEST_LENGTH, LARGEST_LENGTH = 1e-9, 1e9
-_PLAIN = re.compile(r"[-+]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]{1,3})?")
+_PLAIN = re.compile(r"[-+]?([0-9]+(?:\.[0-9]*)?|\.[0-9]+)([eE][+-]?[0-9]{1,3})?")
 _PI = re.compile(r"π|\b(?:pi|atan|arctan)\b")  # what holds these is in radians
 _PART_OF_PI = re.compile(r"-?([0-9]+\*)?pi(/[0-9]+)?")
 
