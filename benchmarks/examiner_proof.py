@@ -1,4 +1,4 @@
-"""Counts of the examiner's judgements: random arms, other frames, and every number changed.
+"""Counts of the examiner's judgements: random arms, other frames, every number changed, and slips.
 
 The arms have 1 to 7 revolute and prismatic joints, and neighbouring axes that are skew, meet, are
 parallel or coincide. Whether a changed number alters the mechanism is decided without the
@@ -9,12 +9,21 @@ Columns: *named*, the message names the joint that was changed; *mends*, it name
 change also makes the table right; *below*, the number hardly counts (by the square of its change,
 or by a lever of micrometres) and the arm moves less differently than the tolerance, so that either
 verdict is right.
+
+Then the examiner's advice is followed, word for word, in tables with two and three slips: numbers
+with the other sign, zeros, numbers of the row above or below, of another unit, 90° off, and a with
+d swapped. Every table is tried in both conventions, strictly and not. *in time*: right after at
+most as many steps as there are wrong numbers, and one; *right named*: numbers called wrong that
+are the reference's own; *twice*: numbers named once more after they were changed as told.
 """
 from __future__ import annotations
 
 import sys
+from argparse import ArgumentParser, Namespace
 from collections import Counter
+from functools import partial
 from itertools import pairwise
+from multiprocessing import Pool
 from pathlib import Path
 
 import numpy as np
@@ -24,9 +33,11 @@ import kinlab as kl
 from kinlab.arms.kinematics import axis_frames
 
 sys.path.insert(0, str(Path(__file__).parent.parent / "tests"))
+import advice
 import mechanisms as m
 
 COUNT = 20_000  # of valid assignments, and of changes: a third of them alter the mechanism
+ARMS, TABLES, RANDOM_TABLES = 2_000, 200, 2  # tables of each arm, for each way to judge them
 # Shares of the z and x axes that are flipped, and of the origins that slide where they may.
 WAYS = {"another base and tool": (0, 0), "z and x flipped": (1, 0), "origins slid": (0, 1),
         "all at random": (0.5, 0.5)}
@@ -110,9 +121,73 @@ def said(wrong: kl.Arm, right: kl.Arm, arm: kl.Arm, index: int, parameter: str, 
     return ["altering", "refused", "other joint"]
 
 
+def slips_of(arm: kl.Arm, number: int | None, together: int) -> tuple[str, Counter]:
+    walks = advice.judged(arm, np.random.default_rng(3), number, together)
+    for answer, reference, strict, walk in walks.pop("odd", []):
+        if together == 2:
+            print(f"\n{walk}\nstrict={strict}\n{answer}\nfor\n{reference}", flush=True)
+    return arm.name or "random", walks
+
+
+def advised(arms: list[kl.Arm], number: int | None, together: int,
+            processes: int) -> dict[str, Counter]:
+    """What becomes of tables with slips in them, by the arm's name."""
+    found: dict[str, Counter] = {}
+    with Pool(processes) as pool:
+        task = partial(slips_of, number=number, together=together)
+        for turn, (name, walks) in enumerate(pool.imap_unordered(task, arms)):
+            progress(f"{together} slips: arm {turn} of {len(arms)}")
+            most = max(found.get(name, walks)["most"], walks["most"])
+            found[name] = found.get(name, Counter()) + walks
+            found[name]["most"] = most
+    return found
+
+
+def advice_table(title: str, found: dict[str, Counter]) -> Counter:
+    columns = ("tables", "wrong", "ended", "in time", "most", "right named", "twice")
+    progress()
+    table([title, *columns], [[name, *(walks[column] for column in columns)]
+                              for name, walks in sorted(found.items())])
+    total = sum(found.values(), Counter())
+    total["most"] = max(walks["most"] for walks in found.values())
+    return total
+
+
+def options() -> Namespace:
+    parser = ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--judgements", type=int, default=COUNT, metavar="N",
+                        help=f"valid tables, and changed ones ({COUNT:,})")
+    parser.add_argument("--arms", type=int, default=ARMS, metavar="N",
+                        help=f"random arms whose tables get slips ({ARMS:,})")
+    parser.add_argument("--tables", type=int, default=TABLES, metavar="N",
+                        help=f"tables with slips for each known arm and way ({TABLES})")
+    parser.add_argument("--all", action="store_true",
+                        help="all tables with two slips of the known arms; some hours")
+    parser.add_argument("--processes", type=int, default=None, metavar="N")
+    return parser.parse_args()
+
+
 def main() -> None:
-    count = int(sys.argv[1]) if len(sys.argv) > 1 else COUNT
+    chosen = options()
     header("Judgements of the examiner, counted")
+    if chosen.judgements:
+        judgements(chosen.judgements)
+    rng = np.random.default_rng(5)
+    known = [*advice.course(), *advice.published()]
+    unknown = [m.random_arm(rng) for _ in range(chosen.arms)]
+    for together, share in ((2, 1), (3, 0.5)):
+        number = None if chosen.all and together == 2 else int(chosen.tables * share)
+        found = advised(known, number, together, chosen.processes)
+        found |= advised(unknown, RANDOM_TABLES, together, chosen.processes)
+        total = advice_table(f"{together} slips", found)
+        goal(f"advice on {together} slips ends in time: {total['in time']:,} of "
+             f"{total['tables']:,}, after at most {total['most']} steps",
+             total["in time"] == total["tables"])
+        goal(f"it names no right number as wrong: {total['right named']}, and none twice: "
+             f"{total['twice']}", not (total["right named"] or total["twice"]))
+
+
+def judgements(count: int) -> None:
     rows, seen = accepted(count)
     progress()
     table(["other frames for the same arm", "arms", "move alike", "accepted"], rows)

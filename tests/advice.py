@@ -134,7 +134,7 @@ def followed(answer, right, reference, *, strict=False):
         fault = verdict.fault
         if fault and fault.column:
             cell = (fault.row - 1, fault.column)
-            walk.right_named += is_right(answer, right, *cell)
+            walk.right_named += bool(is_right(answer, right, *cell))
             walk.twice += cell in named
             named.add(cell)
         changed = obeyed(answer, verdict)
@@ -175,8 +175,8 @@ def judged(arm, rng, number, together=2, walks=None):
                 walks["wrong"] += walk.steps > 0
                 walks["ended"] += walk.ended
                 walks["in time"] += walk.ended and walk.steps <= wrong + 1
-                walks["right cells named"] += walk.right_named
-                walks["said twice"] += walk.twice
+                walks["right named"] += walk.right_named
+                walks["twice"] += walk.twice
                 walks["most"] = max(walks["most"], walk.steps)
                 if not walk.ended or walk.right_named or walk.twice or walk.steps > wrong + 1:
                     walks.setdefault("odd", []).append((answer, arm, strict, walk))

@@ -139,7 +139,7 @@ def test_advice_ends_for_slips_in_a_table_with_own_frames(seed, other):
 def test_advice_ends_for_arms_that_everybody_knows(arm):
     walks = advice.judged(arm, np.random.default_rng(3), 6)
     assert walks["tables"] > 12 and walks["in time"] == walks["tables"]
-    assert not walks["right cells named"] and not walks["said twice"]
+    assert not walks["right named"] and not walks["twice"]
 
 
 # ---- What joins all numbers ----------------------------------------------------------------------
