@@ -2,8 +2,8 @@
 
 Every refusal names a cell of *one* right table. Whoever obeys changes that cell to its value, so
 fewer cells are left to change; no other right table comes nearer by more than one cell, and
-those that do not hold the new value come no nearer at all. So advice ends after as many steps as
-there are cells to change, and never takes back what it said.
+those that do not hold the new value come no nearer at all. Doubts (below) only fall, too. So advice
+ends after as many steps as there are cells to change, and never takes back what it said.
 
 Right tables are the reference's own, and those whose frames are turned and slid:
 
@@ -13,10 +13,8 @@ Right tables are the reference's own, and those whose frames are turned and slid
 * frames that may slide or turn about their z let some cells trade with each other. How is worked
   out once for all signs, from the lines of the reference's axes (`Freedom`).
 
-The reference's own table wins ties, and against a table that is nearer by one cell only if there
-is doubt: a number of the answer that speaks for the reference's own, or that this other table
-wants otherwise than the reference has it. So a number of the reference is called wrong only where
-more of its neighbours speak of other frames.
+The reference's own table wins ties, and where there is doubt another one has to be nearer by more.
+So a number of the reference is called wrong only where many others speak of other frames.
 """
 from __future__ import annotations
 
@@ -29,7 +27,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..arms.arm import Arm
+from ..arms.arm import Arm, to_modified, to_standard
 from ..arms.kinematics import forward_kinematics
 from ..arms.link import PARAMETERS, REVOLUTE, Link, revolute, with_numbers
 from .mechanism import FLAT, ROUNDING, SIXTH_DECIMAL, wrapped
@@ -37,6 +35,7 @@ from .mechanism import FLAT, ROUNDING, SIXTH_DECIMAL, wrapped
 THETA, D, A, ALPHA = range(4)
 STATES = np.array(list(product((1, -1), (1, -1))))  # signs of z and x of a frame
 A_TURN = 1e-3  # what a turned axis counts beside a cell
+MUCH = 3  # two slips with a and d swapped are four wrong cells
 MOST_TABLES, MOST_TOGETHER = 200, 3
 
 
@@ -285,16 +284,19 @@ class Comparison:
                 best, cost = trial, total
         return best
 
-    def _doubt(self, table: np.ndarray, own: np.ndarray) -> bool:
-        """Whether a number speaks for the reference's own table, or would have to be a strange one.
+    def _doubt(self, table: np.ndarray, own: np.ndarray) -> int:
+        """How many cells nearer another table has to be than the reference's own.
 
-        A twist that is off by half a turn takes the second doubt: nobody mistypes one so.
+        Much, where it would call a number wrong that is the reference's; a little, where it wants
+        a number otherwise than the reference has it. A twist that is off by half a turn takes
+        this little doubt, for nobody mistypes one so.
         """
         mine, strange = self.equal(self.rows, own), ~self.equal(table, own)
+        if np.any(self.held & strange & mine):
+            return MUCH
         turned = self.equal(self.rows, own + np.pi) & ~self.equal(self.rows, -own)
         own_frames = np.any((turned & self.equal(self.rows, table) & self.held)[:, ALPHA])
-        return bool(np.any(self.held & strange & mine)
-                    or (not own_frames and np.any(self.off(table) & strange)))
+        return int(not own_frames and np.any(self.off(table) & strange))
 
     def _turned(self) -> Iterator[tuple[float, np.ndarray]]:
         """Signs of z and x of all frames, those first that leave the fewest pinned cells off.
@@ -382,6 +384,7 @@ class Nearest(NamedTuple):
 def nearest_table(answer: Arm, reference: Arm, strict: bool,
                   valid: Callable[[Arm], bool]) -> Nearest:
     """The right table that is nearest to an answer; `valid` says of an arm whether it is right."""
+    reference = (to_modified if answer.convention == "modified" else to_standard)(reference)
     rows, right = standard_rows(answer), standard_rows(reference)
     last = _last_row(answer, rows[-1], reference, right[-1]) if strict else None
     moves = freedom(right, reference.links, zeros=True, tool=True)
