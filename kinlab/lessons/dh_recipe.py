@@ -4,7 +4,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from functools import reduce
 from itertools import product
-from math import pi, radians
+from math import degrees, pi, radians
 from typing import Any
 
 import numpy as np
@@ -12,7 +12,7 @@ import numpy as np
 from ..answers.judges import Judge, choices, evaluated, expressions, first_of, is_stub, values
 from ..answers.matrices import link_matrix, matrix_place
 from ..answers.placed_frames import examine_frames
-from ..answers.table_judge import examined
+from ..answers.table_judge import examined, with_columns
 from ..answers.verdict import BLANK, CORRECT, NOT_YET, Fault, Verdict
 from ..arms import robots
 from ..arms.arm import Arm
@@ -143,8 +143,25 @@ def _table(numbers: list[list[float]]) -> Verdict:
         return verdict
     hints = first_of((_OFFSET, _TWIST), lambda change: stands_as(
         arm, _arm_of(_changed(change, 0, 0, 0))))
+    said, fault = _other_zero(arm)
     return Verdict(NOT_YET, " ".join(["The mechanism is right, but where theta_2* = 0 and d_3* = 0 "
-                                      "it does not stand as in the view.", *hints]))
+                                      "it does not stand as in the view.", *hints, *said]), fault)
+
+
+def _other_zero(arm: Arm) -> tuple[list[str], Fault | None]:
+    """Which constant beside a joint variable makes the arm stand as in the view, in any frames."""
+    turn, slide = arm.links[1].theta, arm.links[2].d
+    quarters = [k * pi / 2 for k in (1, -1, 0, 2)]
+    for theta, d in [(turn, 0.0), *product(quarters, (slide, 0.0))]:
+        rows = with_columns(arm, theta=[arm.links[0].theta, theta, arm.links[2].theta],
+                            d=[arm.links[0].d, arm.links[1].d, d])
+        if stands_as(rows, _EXAM):
+            here = Fault(3, "d", slide, d) if theta == turn else Fault(2, "theta", turn, theta)
+            was, should = ((f"{degrees(value):.6g}°" for value in (turn, theta)) if here.row == 2
+                           else (f"{value:.6g}" for value in (slide, d)))
+            return [f"Row {here.row}: the constant in {here.column} is {was}; it should be "
+                    f"{should}."], here
+    return [], None
 
 
 def _misplaced(moved: np.ndarray, places: list[list[int]]) -> Verdict | None:

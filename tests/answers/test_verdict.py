@@ -7,6 +7,7 @@ from pathlib import Path
 import mechanisms as m
 import numpy as np
 import pytest
+import sympy as sp
 from solved import WRONG
 from solved.dh_recipe import table as exam_table
 
@@ -118,6 +119,8 @@ def intelledex(number, **values):
     ("dh_recipe.2", exam_table(r2c3=0), Fault(2, "alpha")),
     ("dh_recipe.2", exam_table(r1c1=0), Fault(1, "d")),
     ("dh_recipe.2", exam_table(r3c1=0), Fault(3)),  # its joint variable is missing
+    ("dh_recipe.2", exam_table(r2c0=sp.Symbol("theta_2")), Fault(2, "theta")),
+    ("dh_recipe.2", exam_table(r3c1=sp.Symbol("d_3") + 0.2), Fault(3, "d")),
     ("n_link.3", "arm", None),
     ("n_link.3", ..., None),
 ])
