@@ -47,11 +47,29 @@ export function read(text, { angle, unit }) {
 
 /** @type {(unit: string, text: string) => number} */
 function angleIn(unit, text) {
-  const part = formula(text), radians = part.angle || PI.test(text);
+  const part = formula(text), ofPi = PI.test(text), radians = part.angle || ofPi;
+  refuseIf(unit !== "rad" && ofPi && !part.angle && !scalesWithPi(text, part.value),
+           "pi is in radians and other numbers are in degrees; " +
+           "give the others their unit, or write pi as 180");
   const scale = unit === "rad" ? 1 : DEGREE, value = radians ? part.value : part.value * scale;
   refuseIf(Math.abs(value) > LARGEST_ANGLE,
            "an angle has at most 1,600 turns, look for a slip in a unit or an exponent");
   return radians && scale !== 1 ? degrees(value) : part.value;
+}
+
+/**
+ * Whether a formula is a multiple of pi, so that all of it is in radians.
+ * @param {string} text
+ * @param {number} once its value
+ */
+function scalesWithPi(text, once) {
+  try {
+    const { value: twice } = formula(text, 2 * Math.PI);
+    return Math.abs(twice - 2 * once) <= 1e-12 * Math.max(Math.abs(twice), 1);
+  } catch (error) {
+    if (!(error instanceof Refused)) throw error;
+    return false;
+  }
 }
 
 /**
@@ -93,11 +111,12 @@ function pointed(text) {
 /**
  * The value of the text, angles with a unit in radians.
  * @param {string} text
+ * @param {number} pi what stands for pi in it
  */
-function formula(text) {
+function formula(text, pi = Math.PI) {
   refuseIf(text.length > 2 * MOST_CHARACTERS || [...text].length > MOST_CHARACTERS,
            `it has more than ${MOST_CHARACTERS} characters, work part of it out first`);
-  const { value, angle } = valueOf(tokensOf(pointed(text)));
+  const { value, angle } = valueOf(tokensOf(pointed(text)), pi);
   refuseIf(!(Math.abs(value) <= LARGEST), "it is too large");
   return { value: value + 0, angle };               // no -0
 }
@@ -148,9 +167,10 @@ function checkToken(number, name, token, before) {
 /**
  * The value of a formula, by recursive descent: sums of products of signed powers.
  * @param {string[]} tokens
+ * @param {number} pi
  * @returns {Part}
  */
-function valueOf(tokens) {
+function valueOf(tokens, pi) {
   let at = 0;
   const missing = "look for a missing operator or bracket";
   const expect = (/** @type {string} */ token) => refuseIf(tokens[at++] !== token, missing);
@@ -178,7 +198,8 @@ function valueOf(tokens) {
   };
   /** @type {() => Part} */
   const single = () => {
-    const token = tokens[at++], known = KNOWN.get(token), call = FUNCTIONS.get(token);
+    const token = tokens[at++], call = FUNCTIONS.get(token);
+    const known = token === "pi" ? pi : KNOWN.get(token);
     if (known != null) return { value: known, angle: UNITS.has(token) };
     if (call) return applied(token, call, bracketed());
     if (token === "(") { at -= 1; return bracketed(); }

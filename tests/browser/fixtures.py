@@ -83,7 +83,8 @@ def _columns(T: np.ndarray) -> list:
     return np.round(np.swapaxes(T[:, :3, :], 1, 2), 12).tolist()
 
 
-TEXTS = ["30", "-90", "0.1", "+7", "1e2", "1e-12", "1e-9", "1e9", "1e10", "1e4", "2*45", "pi",
+TEXTS = ["pi/2 + 90", "90 + pi/2 rad", "2*pi - pi/3", "pi**2", "pi*pi/pi", "sqrt(pi)", "1/(pi - 2*pi)",
+         "30", "-90", "0.1", "+7", "1e2", "1e-12", "1e-9", "1e9", "1e10", "1e4", "2*45", "pi",
          "2*pi", "-pi/6", "π", "3*pi/4", "π rad", "1 rad", "-0.5 rad", "90 deg", "37.3°",
          "123.456º", "0 deg", "1e6 deg", "pi*1e9", "sin(pi)", "cos(pi/2)", "177.8*cos(pi/2)",
          "sqrt(2)*pi", "sin(30 deg)*2", "2**0.5", "2**3**2", "-2**2", "2**-2", "(1+2)*(3-4)", "1/3",
@@ -103,8 +104,8 @@ def numbers() -> list[dict]:
 
     Texts with commas are left out: a field also reads decimal ones.
     """
-    sys.path.insert(0, str(HERE.parent / "tables"))
-    from test_numbers import BAD, GOOD
+    sys.path.insert(0, str(HERE.parent))
+    from typed_numbers import BAD, GOOD
 
     texts = dict.fromkeys([*GOOD, *BAD, *TEXTS])
     return [{"text": text, "deg": _read(_degrees, text), "length": _read(read_length, text),
