@@ -419,6 +419,8 @@ def test_what_rounding_left_of_zero_is_not_written():
     assert not re.search(r"0\.0{12}", form.text)
     close(numbers(form, [0.1, 0.2, 0.3, 0.4, 0.5]),
           textbook.frames(arm, [0.1, 0.2, 0.3, 0.4, 0.5])[-1], atol=1e-11)
+    bare = kl.closed_form(kl.Arm([kl.revolute(a=1)], tool=textbook.rigid(o=(0, 6e-17, 0))))
+    assert bare.entries[0][3] == "C1"
     small = kl.closed_form(kl.Arm([kl.revolute(a=1e-5, alpha=0.3)] * 2))
     assert small.entries[0][3].startswith("0.00001*C1 + ")
 
