@@ -16,7 +16,7 @@ _KIND_WORDS = {
               "dreh drehgelenk rotoide rotacional revoluta rotatoire rr continuous",
     PRISMATIC: "prismatic p pris translational translation linear sliding slider slide t "
                "translatorisch schub schubgelenk prismatica prismatique lineal",
-    FIXED: "fixed f fix none static rigid fest tool end-effector"}
+    FIXED: "fixed f fix none static rigid fest"}
 KINDS = {word: kind for kind,
          words in _KIND_WORDS.items() for word in words.split()} | {"": REVOLUTE}
 _SIGMA = {"0": REVOLUTE, "1": PRISMATIC, "2": FIXED}
@@ -124,7 +124,7 @@ def _kinds(heads: Sequence[Heading], rows: Sequence[Sequence[str]],
         words = [plain(row[k]).lower() for row in rows]
         if head.column == KIND and set(words) <= _SIGMA.keys():
             return [_SIGMA[word] for word in words]
-        long = any(len(word) > 2 and word in KINDS for word in words)
+        long = any(len(word) > 2 and KINDS.get(word) in (REVOLUTE, PRISMATIC) for word in words)
         if head.column == KIND or (head.column == LABEL and any(words) and (
                 long or set(words) <= {"r", "p", "f", "t"})):
             return [_kind(word, number) for number, word in enumerate(words, start=first)]

@@ -147,8 +147,6 @@ def _rows(lines: Lines, first: int, columns: int) -> tuple[tuple[tuple[str, ...]
         cells = list(line)
         while len(cells) > columns and not cells[-1].strip():
             cells.pop()
-        if len(cells) < 2 and rows and not any(cells) and _is_blank(lines[k + 1:k + 2]):
-            return tuple(rows), k
         if len(cells) < min(2, columns) and any(cells):
             if not _NUMBER.match(cells[0]):
                 return tuple(rows), k
@@ -157,10 +155,6 @@ def _rows(lines: Lines, first: int, columns: int) -> tuple[tuple[tuple[str, ...]
         if any(cells):
             rows.append(tuple(cells))
     return tuple(rows), len(lines)
-
-
-def _is_blank(lines: Lines) -> bool:
-    return bool(lines) and not any(lines[0])
 
 
 def _with_index(sheet: Sheet) -> Sheet:

@@ -94,6 +94,7 @@ theta | d | a | alpha
 0 | 0 | 1 | 0
 
 The last link, of 1 m, is long.""",
+    "blank lines between the rows": "theta,d,a,alpha\n0,0.1,0,90\n\n\n\n0,0,1,0\n",
     "units below the heads": "theta,d,a,alpha\n[deg],[m],[m],[deg]\n0,0.1,0,90\n0,0,1,0\n",
 }
 
@@ -424,6 +425,11 @@ def test_a_kind_that_nobody_knows_is_refused():
     with pytest.raises(ValueError,
                        match="line 2 has a joint 'screw'; expected revolute, prismatic"):
         read("type,theta,d,a,alpha\nscrew,0,1,0,0\n")
+
+
+def test_a_label_tool_is_a_name():
+    table = read("Link,θ,d,a,α\nBase,q1,0.1,0,90\nTool,0,0.2,0,0")
+    assert [(row.name, row.kind) for row in table.rows] == [("Base", "revolute"), ("Tool", "fixed")]
 
 
 @pytest.mark.parametrize("text", [
