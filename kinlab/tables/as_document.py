@@ -32,8 +32,8 @@ def to_markdown(table: DHTable) -> str:
     |---|---|---|---|---|---|
     | 1 | revolute | θ1\\* 0 | 215 | 0 | -90 |
     """
-    said = (_markdown(csv_line(line[1:]).rstrip("\n")) for line in settings(table))
-    start = [f"- {line[0]}: {text}" for line, text in zip(settings(table), said)]
+    start = [f"- {word}: {_markdown(csv_line(given))}".rstrip("\n")
+             for word, *given in settings(table)]
     heads = [*_heads(table, str), *other_columns(table)]
     rows = _rows(table, _markdown, _markdown_variable)
     lines = [*start, "", _piped(heads), "|" + "---|" * len(heads), *map(_piped, rows), ""]
@@ -62,9 +62,9 @@ def to_latex(table: DHTable) -> str:
     heads = ["$i$", *_heads(table, _LATEX_HEADS.__getitem__)[1:], *others]
     rows = list(_rows(table, _latex, _latex_variable))
     lines = [" & ".join(row) + r" \\" for row in (heads, *rows)]
-    return "\n".join([*start, rf"\begin{{tabular}}{{clrrrr{'l' * len(others)}}}", r"\hline",
-                      lines[0],
-                      r"\hline", *lines[1:], r"\hline", r"\end{tabular}", ""])
+    begin = rf"\begin{{tabular}}{{clrrrr{'l' * len(others)}}}"
+    return "\n".join([*start, begin, r"\hline", lines[0], r"\hline", *lines[1:], r"\hline",
+                      r"\end{tabular}", ""])
 
 
 def _heads(table: DHTable, spelled: Callable[[str], str]) -> list[str]:
