@@ -12,7 +12,7 @@ from .cells import line
 from .grid import Lines
 from .headings import LABEL, heading
 from .settings import Said, settings_in
-from .table import COLUMNS, LIMITS, MOST_LENGTHS, MOST_ROWS, DHTable, Row
+from .table import COLUMNS, MOST_LENGTHS, MOST_ROWS, DHTable, Row
 
 _START = re.compile(r"\ufeff?(% |- |)(?:name|convention)(?:,|: )")
 _VARIABLE = re.compile(r"-?(?:θ|d)(?:_\{)?[0-9]+(?:\}\^\{)?\*\}? ?(.*)")
@@ -74,10 +74,7 @@ def _row(columns: Sequence[str], cells: Sequence[str], stars: bool) -> Row | Non
     own = variable_of(kind)
     if stars and own and (match := _VARIABLE.fullmatch(texts.get(own, ""))):
         flip, texts[own] = "-" * bool(_FLIPPED.match(texts[own])), match[1]
-    if kind == FIXED:  # no joint that has limits or a direction
-        return Row(kind).with_cells({column: "" if column in LIMITS else text
-                                     for column, text in texts.items()})
-    return Row(kind, flip=bool(flip)).with_cells(texts)
+    return Row(kind, flip=bool(flip) and kind != FIXED).with_cells(texts)
 
 
 # ---- the three forms ----

@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 
 from ..arms import inputs
 from ..arms.arm import CONVENTIONS
-from ..arms.link import FIXED, PARAMETERS, PRISMATIC
+from ..arms.link import PARAMETERS, PRISMATIC
 from .as_code import LONGEST_FILE, from_code
 from .cells import (
     ANGLES,
@@ -28,7 +28,7 @@ from .rows import Cells, cells_of
 from .settings import said_in
 from .sheet import Sheet, find_sheet
 from .spelling import plain
-from .table import LIMITS, MOST_LENGTHS, MOST_ROWS, DHTable, Row
+from .table import COLUMNS, LIMITS, MOST_LENGTHS, MOST_ROWS, DHTable, Row
 from .variables import variable
 
 _CHOICES = {"angles": tuple(ANGLES), "convention": tuple(CONVENTIONS), "decimal": (".", ",")}
@@ -287,8 +287,7 @@ def _may_stand(column: str, cell: str) -> bool:
 
 
 def _row(cells: Cells) -> Row:
-    columns = PARAMETERS if cells.kind == FIXED else (*PARAMETERS, *LIMITS)
-    texts = {column: line(text) for column, text in cells.texts.items() if column in columns}
+    texts = {column: line(text) for column, text in cells.texts.items() if column in COLUMNS}
     return Row(cells.kind, flip=cells.flip, name=line(cells.name)).with_cells(texts)
 
 

@@ -24,6 +24,7 @@ from ..tables.as_code import to_code
 from ..tables.as_csv import to_csv
 from ..tables.as_document import to_latex, to_markdown
 from ..tables.cells import MILLIMETRES, angle_text, number_text
+from ..tables.ends import End
 from ..tables.other_convention import other_reading
 from ..tables.question import Ambiguous
 from ..tables.read import read_table
@@ -92,6 +93,9 @@ class DHTableEditor(ArmView):
     table : DHTable
         The table as typed: its `errors`, and its edits, each of which gives a new table.
         Setting it is one step that `undo` takes back.
+    base, tool : array, shape (4, 4)
+        Pose of frame 0 in the room, and of the tool in the last frame. Setting one is one step
+        that `undo` takes back; `set` types into its cells.
     said : str
         What was said last: what was assumed of a text, or why something could not be done.
     view : ArmView
@@ -164,6 +168,22 @@ class DHTableEditor(ArmView):
             raise ValueError(f"table: expected a DHTable, got {inputs.brief(table)}; "
                              "make one from editor.table")
         self._accept(table)
+
+    @property
+    def base(self) -> np.ndarray:
+        return self._arm.base
+
+    @base.setter
+    def base(self, T: Any) -> None:
+        self.table = self._table.with_frame("base", End.of(inputs.rigid("base", T)))
+
+    @property
+    def tool(self) -> np.ndarray:
+        return self._arm.tool
+
+    @tool.setter
+    def tool(self, T: Any) -> None:
+        self.table = self._table.with_frame("tool", End.of(inputs.rigid("tool", T)))
 
     @property
     def said(self) -> str:

@@ -436,9 +436,11 @@ def test_a_label_tool_is_a_name():
     "type,theta,d,a,alpha,low,high,home\nR,0,1,0,0,-1,1,0\nfixed,0,1,0,0,-1,1,0.5\n",
     "convention,standard\nangles,deg\nlengths,m\njoint,flip,theta,d,a,alpha,low,high\n"
     "revolute,,0,1,0,0,-1,1\nfixed,-,0,1,0,0,-1,1\n"])
-def test_a_fixed_row_has_no_limits(text):
-    arm = read(text).arm
-    assert [link.limits is None for link in arm.links] == [False, True]
+def test_limits_of_a_fixed_row_are_kept_and_marked(text):
+    table = read(text)
+    assert (table.rows[1].low, table.rows[1].high) == ("-1", "1")
+    assert {place.row for place in table.errors} == {2}
+    assert {"low", "high"} <= {place.column for place in table.errors}
 
 
 # ---- named lengths ----

@@ -581,3 +581,14 @@ def test_the_picture_shows_any_arm_that_a_table_takes(d):
 
 def test_every_edit_is_one_of_the_tables():
     assert all(callable(getattr(DHTable, name)) for name in EDITS)
+
+
+def test_base_and_tool_go_in_and_out_as_matrices():
+    editor = kl.DHTableEditor()
+    editor.tool = kl.translation([0, 0, 0.303])
+    assert editor.arm.tool[2, 3] == editor.tool[2, 3] == 0.303
+    editor.undo()
+    assert np.array_equal(editor.tool, np.eye(4))
+    with pytest.raises(ValueError, match=r"^base\[:3, :3\]: expected a rotation"):
+        editor.base = np.zeros((4, 4))
+    assert np.array_equal(editor.base, np.eye(4))
