@@ -108,7 +108,8 @@ def _last_row(answer: Arm, typed: np.ndarray, reference: Arm, own: np.ndarray) -
     theta = np.arctan2(T[1, 0], T[0, 0])
     row = np.array([theta, T[2, 3], T[0, 3] * np.cos(theta) + T[1, 3] * np.sin(theta),
                     np.arctan2(T[2, 1], T[2, 2])])
-    row = np.where(np.isclose(row, own, rtol=0, atol=FLAT), own, row)
+    apart = np.where([True, False, False, True], wrapped(row - own), row - own)
+    row = np.where(np.abs(apart) <= FLAT, own, row)
     fits = np.allclose(_matrix(row), T, atol=FLAT) and (
         answer.convention == "standard" or np.allclose(row[A:], 0, atol=FLAT))
     return row if fits and not (np.any(row != own) and np.allclose(typed, own)) else None

@@ -220,3 +220,21 @@ def test_the_ends_of_an_exercise_are_told_with_their_numbers(number, typed, want
     assert (verdict.fault.row, verdict.fault.column, verdict.fault.value,
             verdict.fault.expected) == (number, column, value, pytest.approx(wanted))
     assert f"{column}{number} is {value}; it should be {wanted}" in verdict.message
+
+
+def test_a_right_zero_is_not_called_wrong_to_fit_three_signs():
+    """Another zero of joint 5 would fit the twist of the wrong sign; the table had none."""
+    right = kl.to_standard(SIX_LINK)
+    wrong = row(row(right, 2, d=0.5, a=-0.5), 4, alpha=-RIGHT)
+    walk = followed(wrong, right, SIX_LINK, strict=True)
+    assert walk.ended and [(v.fault.row, v.fault.column, v.fault.expected) for v in walk.said] == [
+        (4, "alpha", RIGHT), (2, "d", -0.5), (2, "a", 0.5)]
+
+
+def test_half_a_turn_is_the_same_either_way():
+    """The last row turns by -180 degrees; its matrix cannot tell that from 180."""
+    arm = kl.Arm([R(alpha=RIGHT), R(a=0.5, alpha=radians(-50)), R(theta=-pi, d=-0.35)],
+                 convention="modified")
+    verdict = kl.same_mechanism(row(arm, 2, alpha=radians(-140)), arm, strict=True)
+    assert verdict.message == ("Joint 2: the twist alpha1 (in row 2) is -140°; from z1 to z2 it "
+                               "should be -50°.")
