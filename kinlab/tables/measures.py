@@ -8,7 +8,7 @@ from .cells import ANGLES, MILLIMETRES, angle_in, is_plain, length_in
 from .headings import UNITS
 from .numbers import name_refused
 
-_MEASURE = re.compile(r"([-+]?\s?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][-+]?[0-9]+)?)\s?"
+_MEASURE = re.compile(r"([-+]?\s?(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+)(?:[eE][-+]?[0-9]+)?)\s?"
                       r"(mm|cm|m|in|inch|inches|meters?|metres?)")
 _DEGREES = re.compile(r"([-+]?)\s?([0-9.]+) deg")
 _NAME = re.compile(r"[A-Za-z_][A-Za-z_0-9]*")

@@ -7,7 +7,8 @@ from dataclasses import dataclass
 
 from ..arms import inputs
 from ..arms.link import FIXED, PARAMETERS, PRISMATIC, REVOLUTE
-from .headings import KIND, LABEL, OFFSET, Heading
+from .headings import IGNORED, KIND, LABEL, OFFSET, Heading
+from .numbers import LONGEST
 from .spelling import plain
 from .variables import Variable, variable
 
@@ -66,6 +67,10 @@ def cells_of(heads: Sequence[Heading], rows: Sequence[Sequence[str]], first: int
         if len(row) > len(heads):
             raise ValueError(f"text: line {number} has {len(row)} cells under {len(heads)} heads; "
                              "put a text that has a comma into quotes")
+        if longest := next((cell for cell, head in zip(row, heads) if len(cell) > LONGEST
+                            and head.column not in (IGNORED, LABEL)), ""):
+            raise ValueError(f"text: line {number} has {inputs.brief(longest)}; expected cells of "
+                             f"at most {LONGEST} characters")
     padded = [[*row, *[""] * (len(heads) - len(row))] for row in rows]
     kinds = _kinds(heads, padded, first)
     texts = [_sorted({column: value_text(row[k]) for column, k in columns.items()})

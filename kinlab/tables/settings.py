@@ -29,7 +29,7 @@ _LENGTH = re.compile(
     r"(mm|cm|m|millimet(?:er|re)s?|centimet(?:er|re)s?|met(?:er|re)s?|inch|inches)\b",
     re.IGNORECASE)
 _NAMED = re.compile(r"(?<![\w.])([A-Za-z]{1,8}_?\{?[0-9]{0,3}\}?)\s?=\s?"
-                    r"([-−]?(?:[0-9]+\.?[0-9]*|\.[0-9]+))(?![\w.]|\s?[-+*/^])")
+                    r"([-−]?(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+))(?![\w.]|\s?[-+*/^])")
 
 
 @dataclass(frozen=True)

@@ -555,7 +555,7 @@ def test_words_that_are_nearly_right(word, convention, angles):
                                                        "tool: expected 16"),
     ("theta,alpha\n" + "0,0\n" * 61, "1 to 60 rows"), (3, "text: expected"), (None,
                                                                               "text: expected"),
-    ("x" * 100_001, "100000"), ("theta,alpha\n0," + "0" * 300, "200 characters"),
+    ("x" * 100_001, "100000"), ("theta,alpha\n0," + "0" * 300, "at most 200 characters"),
     ("This is no table. It has words, and commas, and more.", "no such header")])
 def test_what_is_no_table_is_refused_in_one_line(text, reason):
     with pytest.raises(ValueError, match=reason) as caught:
