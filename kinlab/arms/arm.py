@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import inputs, printed
-from .link import FIXED, Link
+from .link import FIXED, REVOLUTE, Link
 from .motions import ROTATE, TRANSLATE, Frame, Motion, X, Z, follow, matrix, motions_of
 
 # A DH convention is only an order of the same four motions.
@@ -214,6 +214,7 @@ def _home(q: Any, joints: tuple[Link, ...]) -> np.ndarray:
     n, locks = len(joints), [link.lock or 0.0 for link in joints]
     home = inputs.shaped("home", locks if q is None else q, (n,),
                          f"{n} joint values, one per joint")
+    inputs.in_radians("home", home[[link.kind == REVOLUTE for link in joints]])
     home.flags.writeable = False
     return home
 

@@ -246,8 +246,10 @@ def angle(name: str, value: Any) -> Any:
 
 def in_radians(name: str, angles: ArrayLike) -> None:
     """Say a word where angles go so far that they are degrees, most likely."""
-    if (angle := farthest(np.asarray(angles))) > TWO_TURNS:
-        note(f"{name}: {angle:.6g} is {angle / (2 * math.pi):.3g} turns; "
+    angles = np.ravel(angles)
+    if farthest(angles) > TWO_TURNS:
+        angle = float(angles[np.abs(angles).argmax()])
+        note(f"{name}: {angle:.6g} is {abs(angle) / (2 * math.pi):.3g} turns; "
              f"angles are in radians: np.radians({angle:.6g})")
 
 

@@ -202,12 +202,14 @@ TWO = kl.robots.two_link()
 @pytest.mark.parametrize("call, words", [
     (lambda: kl.revolute(alpha=90), "alpha: 90 is 14.3 turns; angles are in radians: "
                                     "np.radians(90)"),
-    (lambda: kl.revolute(theta=-45), "theta: 45 is 7.16 turns"),
+    (lambda: kl.revolute(theta=-45), "theta: -45 is 7.16 turns; angles are in radians: "
+                                    "np.radians(-45)"),
     (lambda: kl.prismatic(alpha=90), "alpha: 90 is"),
     (lambda: kl.fixed(alpha=180), "alpha: 180 is"),
-    (lambda: kl.revolute(limits=(-170, 170)), "limits: 170 is"),
+    (lambda: kl.revolute(limits=(-170, 170)), "limits: -170 is"),
     (lambda: kl.forward_kinematics(TWO, [90, 45]), "q: 90 is"),
-    (lambda: kl.forward_kinematics(TWO, np.full((3, 4, 2), -30.5)), "q: 30.5 is 4.85 turns"),
+    (lambda: kl.Arm([kl.prismatic(), kl.revolute()], home=[500, 90]), "home: 90 is"),
+    (lambda: kl.forward_kinematics(TWO, np.full((3, 4, 2), -30.5)), "q: -30.5 is 4.85 turns"),
     (lambda: kl.link_frames(TWO, [0, 45]), "q: 45 is"),
     (lambda: kl.jacobian(TWO, [0, 45]), "q: 45 is"),
     (lambda: kl.ArmView(TWO, [0, 45]), "q: 45 is"),
