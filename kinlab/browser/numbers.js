@@ -50,7 +50,7 @@ function angleIn(unit, text) {
   const part = formula(text), ofPi = PI.test(text), radians = part.angle || ofPi;
   refuseIf(unit !== "rad" && ofPi && !part.angle && !scalesWithPi(text, part.value),
            "pi is in radians and other numbers are in degrees; " +
-           "give the others their unit, or write pi as 180");
+           "write pi/2 rad + 90 deg, or write pi as 180");
   const scale = unit === "rad" ? 1 : DEGREE, value = radians ? part.value : part.value * scale;
   refuseIf(Math.abs(value) > LARGEST_ANGLE,
            "an angle has at most 1,600 turns, look for a slip in a unit or an exponent");

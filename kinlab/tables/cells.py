@@ -168,7 +168,7 @@ def _angle(text: str, unit: str) -> float:
         return value if has_unit else value * ANGLES[unit]
     if unit == "deg" and not scales_with_pi(text):
         raise ValueError(f"{inputs.brief(text)}: pi is in radians and other numbers are in "
-                         "degrees; give the others their unit, or write pi as 180")
+                         "degrees; write pi/2 rad + 90 deg, or write pi as 180")
     return value
 
 

@@ -30,6 +30,10 @@ _LATEX_ROWS = re.compile(r"\\multirow\s*\{[^{}]{0,20}\}\s*\{[^{}]{0,20}\}\s*\{([
 _COMMENT = re.compile(r"(?<!\\)%.*")
 _BOX = str.maketrans("│┃║¦", "||||")
 _RULE = re.compile(r"[\s|+:=\-\u2013\u2014\u2500-\u257f]+")
+_JIRA = re.compile(r"\s*\|\|(?:[^|]+\|\|){3,}")  # its headings
+_WIKI = re.compile(r"^\{\|.*\n", re.MULTILINE)  # begins a table of Wikipedia
+_WIKI_RULE = re.compile(r"^\|[-+}].*\n?", re.MULTILINE)
+_WIKI_BAR = re.compile(r"!!|\|\||^!", re.MULTILINE)
 _DRAWN = re.compile(r"[-=\u2013\u2014]{2}|[\u2500-\u257f]|:-|-:|^\|?-\|")
 _REMARKED = re.compile(r"^\s*(?:%+|#+|//+|\*|>)\s*(?=\|)")
 _PAIRS = re.compile(r"\b(link|joint|axis)\s+(angle|twist|length|offset|type|name|variable|no\.?)\b",
@@ -48,6 +52,8 @@ def grids(text: str) -> Iterator[Lines]:
         yield _latex(text, match)
     if _HTML.search(text):
         yield _html(text)
+    if _WIKI.search(text):
+        yield _piped(_WIKI_BAR.sub("|", _WIKI_RULE.sub("", _WIKI.sub("", text))))
     if text.count("|") > 1 or text.translate(_BOX).count("|") > 1:
         yield _piped(text)
     if "&" in text and "\\\\" in text and not match:
@@ -116,6 +122,7 @@ def _by_blanks_of_sums(line: str) -> list[str]:
 def _piped(text: str) -> Lines:
     lines = [_REMARKED.sub("", line).rstrip() for line in text.translate(_BOX).splitlines()]
     lines = [line for line in lines if not _is_rule(line)]
+    lines = [line.replace("||", "|") if _JIRA.fullmatch(line) else line for line in lines]
     barred = [line for line in lines if "|" in line]
     edged = 2 * sum(line.lstrip().startswith("|") for line in barred) >= len(barred)
     mixed = 2 * len(barred) > sum(bool(line) for line in lines)  # headings may have no bars

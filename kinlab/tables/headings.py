@@ -10,13 +10,13 @@ from .spelling import plain
 
 IGNORED, LABEL, KIND, OFFSET = "", "label", "joint", "offset"
 _WORDS = {
-    "theta": "theta th thi vartheta varphi jointangle angle phi theta0 gelenkwinkel winkel "
-             "drehwinkel angulo rotationangle jointrotation thetaz rotz",
+    "theta": "theta teta tetha th thi vartheta varphi jointangle angle phi theta0 gelenkwinkel "
+             "winkel drehwinkel angulo rotationangle jointrotation thetaz rotz",
     "d": "d linkoffset jointdistance gelenkversatz versatz distance linkdistance transz tz depth "
          "hebelarmversatz gelenkabstand",
     "a": "a linklength length commonnormal armlength armlange gliedlange lange longitud longueur "
          "transx tx",
-    "alpha": "alpha alfa alph linktwist twist twistangle linktwistangle verwindung "
+    "alpha": "alpha alfa alph al linktwist twist twistangle linktwistangle verwindung "
              "verwindungswinkel verdrehung torsion rotx",
     "low": "low min lower lowerlimit minimum qmin thetamin minangle",
     "high": "high max upper upperlimit maximum qmax thetamax maxangle",
@@ -41,7 +41,7 @@ _ANGLE_WORDS = {"°": "deg", "deg": "deg", "degs": "deg", "degree": "deg", "degr
 UNITS = _LENGTH_WORDS | _ANGLE_WORDS
 _UNIT = re.compile(r"(?:[\[(<]\s?([A-Za-z°\"]{1,12})\.?\s?[\])>]"
                    r"|(?:[/,:]|\bin\b)\s?([A-Za-z°\"]{1,12})|[\s_](mm|cm|m|deg|rad|°))$")
-_PREVIOUS = re.compile(r"(?<=.)[ijkn]?-1$")
+_PREVIOUS = re.compile(r"(?<=.)(?:[ijkn]?(?:-|m|minus)1|[ijkn]1|prev|previous)$")
 _LIMITS = {"q⁻": "low", "q⁺": "high"}
 _KHALIL = {"d": "a", "r": "d"}
 _FUNCTION = re.compile(r"\b(?:sin|cos|tan|max|min|dot)\b|[cs]alpha|[cs]theta")

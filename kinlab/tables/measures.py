@@ -9,9 +9,10 @@ from .headings import UNITS
 from .numbers import name_refused
 
 _MEASURE = re.compile(r"([-+]?\s?(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+)(?:[eE][-+]?[0-9]+)?)\s?"
-                      r"(mm|cm|m|in|inch|inches|meters?|metres?)")
+                      r"[\[(]?(mm|cm|m|in|inch|inches|meters?|metres?)[\])]?")
+_ANGLE_UNIT = re.compile(r"(?<=[\w).]) ?[\[(]?(deg|rad)(?:ree|ian)?s?[\])]?(?![A-Za-z])")
 _DEGREES = re.compile(r"([-+]?)\s?([0-9.]+) deg")
-_NAME = re.compile(r"[A-Za-z_][A-Za-z_0-9]*")
+_NAME = re.compile(r"(?<![\w.])[A-Za-z_][A-Za-z_0-9]*")  # 1e3 has none
 _TIMES = re.compile(r"(?<![\w.])([0-9]+(?:\.[0-9]+)?)\s?(?=[A-DF-Za-df-z]_?[A-Za-z0-9])")
 _NOT_LENGTHS = re.compile(r"(?:pi|deg|rad|sqrt|sin|cos|(?:theta|q|t|th)_?[0-9]*)")
 
@@ -45,7 +46,7 @@ def angle_of(text: str, of_column: str, of_table: str) -> str:
     >>> angle_of("-90°", "deg", "deg"), angle_of("-90°", "rad", "rad"), angle_of("90", "deg", "rad")
     ('-90', '-pi/2', 'pi/2')
     """
-    text = " ".join(text.replace("°", " deg ").split())
+    text = " ".join(_ANGLE_UNIT.sub(r" \1 ", text.replace("°", " deg ")).split())
     if match := _DEGREES.fullmatch(text):
         return angle_in(match[1].strip("+") + match[2], "deg", of_table) if of_table == "rad" \
             else match[1].strip("+") + match[2]

@@ -24,7 +24,9 @@ _SIGMA = {"0": REVOLUTE, "1": PRISMATIC, "2": FIXED}
 _COUNTED = re.compile(r"(?:joint|link|axis|frame|achse|gelenk|glied|row|body|dof|theta|[a-z])?"
                       r"[\s_.#-]{0,3}[0-9]{1,3}(?:\s?(?:-|->|→|to|,|/)?>?\s?[a-z]?_?[0-9]{1,3})?"
                       r"|[0-9a-z]{1,3}(?:\s?(?:->|→|-|/)\s?[0-9a-z+-]{1,4})?", re.IGNORECASE)
-_WITH_VALUE = re.compile(r"[A-Za-z]\w{0,20}\s?(?::?=([^=]{1,200})|\(([-+]?[0-9.]{1,20})\))")
+# A symbol is one letter with an index; sin(2) is no symbol with its value.
+_WITH_VALUE = re.compile(r"[A-Za-z]\w{0,20}\s?:?=([^=]{1,200})|(?:[A-Za-z]|alpha|theta)"
+                         r"(?:[0-9]\w{0,9}|_\w{1,20})?\s?\(([-+]?[0-9.]{1,20})\)")
 _RANGE = re.compile(r"\+?\s?\([^()]{0,30}(?:->|→|\bto\b|\.\.)[^()]{0,30}\)")
 _EMPTY = Variable(None, False, "0")
 _NOTHING = ("", "-", "--", "/", "n/a", "na", "none", "null", "nil", ".", "...")

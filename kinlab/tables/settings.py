@@ -18,7 +18,7 @@ _CONVENTIONS = {"standard": "standard", "classic": "standard", "classical": "sta
 _ANGLES = {word: unit for word, unit in UNITS.items() if unit in ("deg", "rad")}
 _LENGTHS = {word: unit for word, unit in UNITS.items() if unit not in ("deg", "rad")}
 _SAID = re.compile(r"[-*%#>/\s]{0,6}([A-Za-z]{4,10})\s?[:=]\s?(.{1,2000})")
-_TITLE = re.compile(r"(?:\w+\(')?(.{0,200}?)'?:? ?(standard|modified) DH, lengths in (.{1,60}), "
+_TITLE = re.compile(r"(?:\w+\('?)?(.{0,200}?)'?:? ?(standard|modified) DH, lengths in (.{1,60}), "
                     r"\* marks the joint variable\)?")
 _MODIFIED = re.compile(r"\bmodified\W{1,3}(?:dh|d-h|denavit)|\bcraig\b|\bmdh\b", re.IGNORECASE)
 _STANDARD = re.compile(r"\b(?:standard|classic|classical)\W{1,3}(?:dh|d-h|denavit)", re.IGNORECASE)

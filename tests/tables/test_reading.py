@@ -95,6 +95,16 @@ theta | d | a | alpha
 
 The last link, of 1 m, is long.""",
     "blank lines between the rows": "theta,d,a,alpha\n0,0.1,0,90\n\n\n\n0,0,1,0\n",
+    "Jira": "||i||theta||d||a||alpha||\n|1|0|0.1|0|90|\n|2|0|0|1|0|",
+    "Wikipedia": """{| class="wikitable"
+|+ The arm
+|-
+! i !! θ !! d !! a !! α
+|-
+| 1 || 0 || 0.1 || 0 || 90
+|-
+| 2 || 0 || 0 || 1 || 0
+|}""",
     "units below the heads": "theta,d,a,alpha\n[deg],[m],[m],[deg]\n0,0.1,0,90\n0,0,1,0\n",
 }
 
@@ -207,13 +217,20 @@ def test_variables_may_count_on_from_another_arm():
 
 @pytest.mark.parametrize("cell, value", [
     ("d1 = 0.75", 0.75), ("$L_{base}$ (1.5)", 1.5), ("**0.5**", 0.5), ("√(0.3²+0.4²)", 0.5),
-    ("333 / 1000.0", 0.333), ("`0.25`", 0.25)])
+    ("333 / 1000.0", 0.333), ("`0.25`", 0.25), ("cos(0)", 1), ("1e3", 1000), ("2.5e-2", 0.025),
+    ("0.5 (m)", 0.5), ("0.1 [m]", 0.1)])
 def test_a_length_beside_its_name_or_worked_out(cell, value):
     table = read(f"θ;d;a;α\nq1;{cell};0;90")
     assert table.values[Place(1, "d")] == pytest.approx(value, rel=1e-15) and not table.lengths
 
 
+@pytest.mark.parametrize("cell", ["rand(5)", "tan(1)", "alert(1)"])
+def test_a_function_is_no_symbol_with_its_value(cell):
+    assert Place(1, "d") in read(f"θ;d;a;α\nq1;{cell};0;90").errors
+
+
 @pytest.mark.parametrize("theta, d, a, alpha", [
+    ("teta", "d", "a", "al"),
     ("θ", "d", "a", "α"), ("Theta", "D", "A", "Alpha"), ("θ*", "d", "r", "α"), ("th", "s", "a",
                                                                                 "alfa"),
     ("theta_i", "d_i", "a_i", "alpha_i"), ("θᵢ", "dᵢ", "aᵢ", "αᵢ"), ("θ(i)", "d(i)", "a(i)",
@@ -237,7 +254,8 @@ def test_headings_in_all_usual_spellings(theta, d, a, alpha):
     ("alpha(i-1)", "a(i-1)"), ("α(i-1)", "a(i-1)"), ("alpha_{i-1}", "a_{i-1}"), ("α_{i−1}",
                                                                                  "a_{i−1}"),
     ("αᵢ₋₁", "aᵢ₋₁"), ("alpha_i-1", "a_i-1"), ("alpha i-1", "a i-1"), ("αi−1", "ai−1"),
-    ("alpha_{n-1}", "a_{n-1}"),
+    ("alpha_{n-1}", "a_{n-1}"), ("alpha_im1", "a_im1"), ("alphai_1", "ai_1"),
+    ("alpha_prev", "a_prev"),
     (r"$\alpha_{i-1}$", "$a_{i-1}$"), ("α<sub>i-1</sub>", "a<sub>i-1</sub>"), ("α (i-1) [deg]",
                                                                                "a (i-1) [m]")])
 def test_the_index_before_is_the_modified_convention(alpha, a):
@@ -337,7 +355,8 @@ def test_radians_stay_radians():
     (r"$\pi$", "pi"), (r"-\frac{\pi}{2}", "-pi/2"), (r"$-\pi/2$", "-pi/2"), (r"$90^\circ$", "90"),
     (r"90^{\circ}", "90"), ("3π/2", "3*pi/2"), ("0.5pi", "0.5*pi"), ("2*pi/3", "2*pi/3"), ("+90",
                                                                                            "+90"),
-    (r"\tfrac{3\pi}{2}", "3*pi/2"), ("90º", "90"), ("-", "0"), ("–", "0"), ("—", "0"), ("", "0"),
+    (r"\tfrac{3\pi}{2}", "3*pi/2"), ("90º", "90"), ("90 degrees", "90"), ("-90deg", "-90"),
+    ("1 radian", "1 rad"), ("-", "0"), ("–", "0"), ("—", "0"), ("", "0"),
     ("-90,5", "-90.5"), ("- 90", "- 90")])
 def test_angles_as_people_write_them(cell, text):
     table = read(f"theta;d;a;alpha\n0;0.1;0;{cell}\n0;0;1;0")
@@ -651,3 +670,10 @@ def test_whatever_is_pasted_is_a_table_a_question_or_one_reason(seed):
             assert len(read_table(text, DEGREES).remark.splitlines()) < 2
         except ValueError as error:
             assert len(str(error).splitlines()) == 1, text
+
+
+@pytest.mark.parametrize("name", ["", "Three"])
+def test_a_printed_editor_reads_back(name):
+    editor = kl.DHTableEditor(kl.Arm([kl.revolute(d=0.5)], name=name))
+    table = read(repr(editor))
+    assert told(table) == [("R", "0", "0.5", "0", "0")] and table.name == name
