@@ -233,8 +233,8 @@ def test_a_right_zero_is_not_called_wrong_to_fit_three_signs():
 
 def test_half_a_turn_is_the_same_either_way():
     """The last row turns by -180 degrees; its matrix cannot tell that from 180."""
-    arm = kl.Arm([R(alpha=RIGHT), R(a=0.5, alpha=radians(-50)), R(theta=-pi, d=-0.35)],
-                 convention="modified")
-    verdict = kl.same_mechanism(row(arm, 2, alpha=radians(-140)), arm, strict=True)
-    assert verdict.message == ("Joint 2: the twist alpha1 (in row 2) is -140°; from z1 to z2 it "
-                               "should be -50°.")
+    arm = kl.Arm([R(alpha=RIGHT), R(), R(alpha=radians(-158.5)), R(theta=-pi, d=-0.35, alpha=-pi)],
+                 convention="modified", tool=m.random_pose(np.random.default_rng(1)))
+    verdict = kl.same_mechanism(row(arm, 3, alpha=radians(-248.5)), arm, strict=True)
+    assert verdict.message == ("Joint 3: the twist alpha2 (in row 3) is -248.5°; from z2 to z3 it "
+                               "should be -158.5°.")
