@@ -3,6 +3,10 @@ from __future__ import annotations
 
 import re
 
+from ..arms.link import PARAMETERS
+from .headings import OFFSET, headings
+
+_COLUMNS = {*PARAMETERS, OFFSET}
 _COMMENT = re.compile(r"^(.*?)(?:%+|#+|//+)(.*)$")
 _BRACKETS = re.compile(r"[\[({]([^\[\](){};]{3,80})[\])};]|[\[({]([^\[\](){};]{3,80})$")
 _START = re.compile(r"^\s*(?:return\s+)?(?:[A-Za-z_][\w.]{0,40}(?:\([0-9]{1,2}\))?\s?=)?"
@@ -21,6 +25,7 @@ def program_lines(text: str) -> list[list[str]]:
     [['[theta, d]'], ['q1', '0.1'], ['0', 'q[2]']]
     """
     lines: list[list[str]] = []
+    begun = False
     for line in text.splitlines():
         match = _COMMENT.match(line)
         code, comment = (match[1], match[2]) if match else (line, "")
@@ -31,8 +36,8 @@ def program_lines(text: str) -> list[list[str]]:
             continue
         rows = [_cells(_closed(row)) for row in re.split(
             r";|\]\s*,\s*\[|\)\s*,\s*\(", _closed(_START.sub("", code))) if _closed(row)]
-        begun = bool(rows) or any(len(cells) > 2 for cells in lines)
-        lines += _columns(comment.strip(), begun) + rows
+        begun = begun or any(len(cells) > 2 for cells in rows)
+        lines += _columns(comment.strip(), begun or bool(rows)) + rows
     return lines
 
 
@@ -51,7 +56,8 @@ def _columns(comment: str, begun: bool) -> list[list[str]]:
     named = _cells((inside[1] or inside[2]).strip("| ")) if inside else []
     if len(named) < 3 and not begun:
         named = _cells(comment.rsplit(":", 1)[-1].strip("| "))
-    return [[comment]] * (bool(comment) and not begun) + [named] * (2 < len(named) < _MOST)
+    return [[comment]] * (bool(comment) and not begun) + [named] * (
+        2 < len(named) < _MOST and len({head.column for head in headings(named)} & _COLUMNS) > 1)
 
 
 def _closed(code: str) -> str:

@@ -74,10 +74,11 @@ def said_in(lines: Iterable[Sequence[str]]) -> Said:
 
 
 def settings_in(lines: Iterable[Sequence[str]]) -> Said:
-    """What lines say that are all settings; KeyError if one is none."""
+    """What lines say that are all settings, as kinlab wrote them; KeyError if one is none."""
     said = Said()
-    for cells in lines:
-        said = _SETTINGS[cells[0]](said, [*cells[1:], ""])
+    for word, *given in lines:
+        said = replace(said, unit=line(given[0])) if word == "lengths" and given else \
+            _SETTINGS[word](said, [*given, ""])
     return said
 
 
@@ -94,17 +95,20 @@ def setting(cells: Sequence[str]) -> tuple[str, list[str]]:
     given = [word.strip() for word in cells]
     while given and not given[-1]:
         given.pop()
-    if len(given) == 1 and (match := _SAID.fullmatch(given[0].strip())):
-        given = [match[1], *next(csv.reader([match[2]], skipinitialspace=True), [])]
+    if given and (match := _SAID.fullmatch(given[0])) and (
+            len(given) == 1 or match[1].lower() in _SETTINGS):
+        given = [match[1], *next(csv.reader([match[2]], skipinitialspace=True), []), *given[1:]]
     return (given[0].strip(" -*%#").lower(), given[1:]) if len(given) > 1 else ("", [])
 
 
 def _word(name: str, given: Sequence[str], known: dict[str, str]) -> str:
-    word = given[0].strip().lower().removesuffix(" dh")
-    if word not in known:
+    words = {known[word] for word in re.findall(r"[a-z°]+", given[0].lower()) if word in known}
+    if len(words) > 1:  # "modified DH": the words beside the first only name the thing
+        words -= {known.get("dh")}
+    if len(words) != 1:
         raise ValueError(f"text: {name} is {inputs.brief(given[0])}; expected "
                          f"{' or '.join(dict.fromkeys(known.values()))}")
-    return known[word]
+    return words.pop()
 
 
 def _with_length(said: Said, given: Sequence[str]) -> Said:
@@ -117,7 +121,12 @@ def _with_length(said: Said, given: Sequence[str]) -> Said:
 
 
 def _with_unit(said: Said, given: Sequence[str]) -> Said:
-    return replace(said, unit=_LENGTHS.get(given[0].strip().lower(), line(given[0])))
+    """The unit of lengths, or both units: ``Units: meters and radians``."""
+    words = re.findall(r"[a-z°\"]+", " ".join(given).lower())
+    words = words if words == ["in"] else [word for word in words if word != "in"]
+    unit, angles = (_only(known[word] for word in words if word in known)
+                    for known in (_LENGTHS, _ANGLES))
+    return replace(said, unit=unit or line(given[0]), angles=said.angles or angles)
 
 
 def _with_angles(said: Said, given: Sequence[str]) -> Said:

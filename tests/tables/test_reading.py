@@ -168,6 +168,23 @@ def test_a_table_in_a_program_is_read_and_never_run(form):
         table) == [(*ONE[0][:4], "pi / 2"), ONE[1]]
 
 
+@pytest.mark.parametrize("words, angles, unit", [
+    ("Angles are in radians", "rad", "m"), ("Lengths in mm; angles in degrees", "deg", "mm"),
+    ("Units: lengths in mm, angles in radians", "rad", "mm"),
+    ("All dimensions in cm", "deg", "cm")])
+def test_comments_above_that_of_the_columns_are_words(words, angles, unit):
+    table = read(f"# {words}\n# theta, d, a, alpha\ndh = [[0, 100, 0, 1],\n      [0, 0, 200, 0]]")
+    assert told(table) == [("R", "0", "100", "0", "1"), ("R", "0", "0", "200", "0")]
+    assert (table.angles, table.unit) == (angles, unit)
+
+
+@pytest.mark.parametrize("words, convention", [
+    ("Modified DH (Craig)", "modified"), ("classical DH", "standard"), ("DH", "standard"),
+    ("the distal one", "standard"), ("MDH", "modified")])
+def test_a_convention_among_other_words(words, convention):
+    assert read(f"Convention: {words}\ntheta,d,a,alpha\n0,1,0,9\n").convention == convention
+
+
 def test_the_index_before_in_numbered_names_is_modified():
     table = read("{alpha0: 0, a0: 0, d1: 0.75, alpha1: -pi/2, a1: 0.35, d2: 0, q2: q2 - pi/2}")
     assert table.convention == "modified"
@@ -320,7 +337,9 @@ def test_columns_in_two_units_become_one():
                                                          "m"),
     ("DH parameters (lengths in millimeters)", "deg", "mm"), ("angles: radians\nlengths: cm",
                                                               "rad", "cm"),
-    ("angles,degrees\nunit,mm,,", "deg", "mm")])
+    ("angles,degrees\nunit,mm,,", "deg", "mm"), ("Units: meters and radians", "rad", "m"),
+    ("Units: lengths in mm, angles in degrees", "deg", "mm"), ("units: mm, rad", "rad", "mm"),
+    ("Units: inches", "deg", "in")])
 def test_units_are_taken_from_the_words_above(words, angles, unit):
     table = read(f"{words}\n\ntheta,d,a,alpha\n0,100,0,1\n")
     assert (table.angles, table.unit) == (angles, unit)
@@ -677,3 +696,9 @@ def test_a_printed_editor_reads_back(name):
     editor = kl.DHTableEditor(kl.Arm([kl.revolute(d=0.5)], name=name))
     table = read(repr(editor))
     assert told(table) == [("R", "0", "0.5", "0", "0")] and table.name == name
+
+
+@pytest.mark.parametrize("unit", ["Meter", "mm of the model", "in"])
+def test_any_unit_reads_back(unit):
+    table = DHTable.of(kl.Arm([kl.revolute(a=1)], unit=unit))
+    assert all(read(write(table)) == table for write in (to_csv, to_markdown, to_latex))
