@@ -244,7 +244,7 @@ def test_long_arms(n):
     refused(row(snake, n // 2 * 2 - 2, d=0.2), snake, f"Joint {n // 2 * 2 - 2}: the offset")
 
 
-# ---- Tolerance, time, bad input ------------------------------------------------------------------
+# ---- Tolerance, bad input ------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize("scale", [1e-3, 1, 1e6])
