@@ -40,10 +40,10 @@ def _decimal(texts: list[str], found: list[re.Match[str]]) -> str:
     if any(len(match[2]) != 3 or match[1] in ("", "0") or len(match[1]) > 3 for match in found
            if not match[3]):
         return ","
-    if any("." in text for text in texts) or any(_GROUPS.search(text) and text.count(",") > 1
-                                                 for text in texts):
+    if not found or any("." in text for text in texts) or any(
+            _GROUPS.search(text) and text.count(",") > 1 for text in texts):
         return "."
-    example = found[0][0] if found else "1,250"
+    example = found[0][0]
     raise Ambiguous(f"Is {example} a decimal number, or are these thousands?",
                     ((f"decimal: {example.replace(',', '.')}", {"decimal": ","}),
                      (f"thousands: {example.replace(',', '')}", {"decimal": "."})))

@@ -40,7 +40,7 @@ _ANGLE_WORDS = {"°": "deg", "deg": "deg", "degs": "deg", "degree": "deg", "degr
                 "grad": "deg", "rad": "rad", "rads": "rad", "radian": "rad", "radians": "rad"}
 UNITS = _LENGTH_WORDS | _ANGLE_WORDS
 _UNIT = re.compile(r"(?:[\[(<]\s?([A-Za-z°\"]{1,12})\.?\s?[\])>]"
-                   r"|(?:[/,:]|\bin\b)\s?([A-Za-z°\"]{1,12})|[\s_](mm|cm|m|deg|rad|°))$")
+                   r"|(?:[/,:]|\bin\b)\s?([A-Za-z°\"]{1,12})|[\s_](mm|cm|m|deg|rad)|(°))$")
 _PREVIOUS = re.compile(r"(?<=.)(?:[ijkn]?(?:-|m|minus)1|[ijkn]1|prev|previous)$")
 _LIMITS = {"q⁻": "low", "q⁺": "high"}
 _KHALIL = {"d": "a", "r": "d"}

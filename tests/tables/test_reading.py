@@ -318,7 +318,8 @@ def test_other_columns_are_left_out_and_named():
     ("θ (deg),d (cm),a (cm),α (deg)", "deg", "cm"), ("θ / °,d / mm,a / mm,α / °", "deg", "mm"),
     ("theta in rad,d in mm,a in mm,alpha in rad", "rad", "mm"), ("θ rad,d mm,a mm,α rad", "rad",
                                                                  "mm"),
-    ("theta [radians],d [inches],a [inches],alpha [radians]", "rad", "in")])
+    ("theta [radians],d [inches],a [inches],alpha [radians]", "rad", "in"),
+    ("θ°,d(mm),a(mm),α°", "deg", "mm")])
 def test_units_are_taken_from_the_headings(heads, angles, unit):
     for like in (DEGREES, RADIANS):
         table = read(f"{heads}\n0,100,0,90\n", like)
@@ -389,6 +390,10 @@ def test_angles_as_people_write_them(cell, text):
     (("1,250,000", "3"), ("1250000", "3")), (("0,250", "0"), ("0.250", "0"))])
 def test_decimal_commas_where_they_are_plain(cells, texts):
     assert told(read(f"theta;d;a;alpha\n0;{cells[0]};{cells[1]};90\n"))[0][2:4] == texts
+
+
+def test_a_comma_beside_no_digits_is_not_asked_for():
+    assert Place(1, "alpha") in read("theta;d;a;alpha\n0;1;0;[-90, 90]\n").errors
 
 
 def test_a_comma_that_may_part_thousands_is_asked_for():
