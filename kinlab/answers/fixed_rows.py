@@ -47,7 +47,7 @@ def joints_only(arm: Arm) -> Arm:
     frames = [axes[0]]
     for axis in axes[1:]:
         frames.append(_next(frames[-1], axis))
-    rows = [with_numbers(link, **_numbers(np.linalg.inv(before) @ after))
+    rows = [with_numbers(link, **numbers_of(np.linalg.inv(before) @ after))
             for link, (before, after) in zip(arm.joints, pairwise(frames))]
     tool = np.linalg.inv(frames[-1]) @ forward_kinematics(arm, np.zeros(arm.n))
     last = with_numbers(arm.joints[-1], theta=0, d=0, a=0, alpha=0)
@@ -70,7 +70,8 @@ def _next(before: np.ndarray, axis: np.ndarray) -> np.ndarray:
     return T
 
 
-def _numbers(T: np.ndarray) -> dict[str, float]:
+def numbers_of(T: np.ndarray) -> dict[str, float]:
+    """The four numbers of a matrix that one row of a standard table makes."""
     theta = atan2(T[1, 0], T[0, 0])
     return {"theta": theta, "d": float(T[2, 3]),
             "a": float(T[0, 3] * cos(theta) + T[1, 3] * sin(theta)),

@@ -5,7 +5,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import pairwise
-from math import atan2, degrees
+from math import degrees
 from typing import Any
 
 import numpy as np
@@ -15,6 +15,7 @@ from ..arms.arm import Arm
 from ..arms.joints import joint_array
 from ..arms.kinematics import axis_frames, forward_kinematics, link_frames
 from ..arms.link import REVOLUTE, with_numbers
+from .fixed_rows import joints_only, numbers_of
 from .verdict import CORRECT, NOT_YET, Verdict
 
 # In rad, and of the drawing's size: frames typed with four decimals pass (each entry is off by
@@ -53,7 +54,7 @@ def examine_frames(frames: Sequence, reference: Arm, q: Any = None) -> Placement
     frames : sequence of n + 1 frames (z, x, origin)
         Frames 0 to n in room coordinates: two directions, of any length, and a point.
     reference : Arm
-        The arm that is drawn, in either convention.
+        The arm that is drawn, in either convention. Its fixed rows need no frames.
     q : n floats, optional
         The drawn pose (rad or length); the reference's home if left out.
 
@@ -82,6 +83,8 @@ def examine_frames(frames: Sequence, reference: Arm, q: Any = None) -> Placement
     if q.ndim > 1:
         raise ValueError(f"q: expected one pose of {reference.n} joint values, got {q.shape}; "
                          "give the pose that is drawn")
+    if reference.n < len(reference.links):
+        reference = joints_only(reference)
     z, x, origins = _vectors(frames, reference.n)
     drawing = _Drawing(z, x, origins, np.zeros(len(z), dtype=bool), reference, q)
     for i in range(reference.n + 1):
@@ -226,11 +229,12 @@ def _settle_across(drawing: _Drawing, i: int) -> None:
 
 def _table(drawing: _Drawing) -> Arm:
     poses = [_pose(*frame) for frame in zip(drawing.z, drawing.x, drawing.origins)]
-    rows = [_row(np.linalg.inv(before) @ after) for before, after in pairwise(poses)]
+    rows = [numbers_of(np.linalg.inv(before) @ after) for before, after in pairwise(poses)]
     links, home = [], []
     for link, row in zip(drawing.reference.links, rows):
         home.append(row.pop(str(link.variable)))
-        links.append(with_numbers(replace(link, theta=0.0, d=0.0, limits=None), **row))
+        links.append(with_numbers(replace(link, theta=0.0, d=0.0, limits=None, flip=False),
+                                  **row))
     reference = drawing.reference
     return Arm(links, name=reference.name, unit=reference.unit, base=poses[0], home=home)
 
@@ -239,12 +243,6 @@ def _pose(z: np.ndarray, x: np.ndarray, origin: np.ndarray) -> np.ndarray:
     T = np.eye(4)
     T[:3, 0], T[:3, 1], T[:3, 2], T[:3, 3] = x, np.cross(z, x), z, origin
     return T
-
-
-def _row(A: np.ndarray) -> dict[str, float]:
-    """The four numbers of a DH matrix."""
-    return {"theta": atan2(A[1, 0], A[0, 0]), "d": float(A[2, 3]),
-            "a": float(A[:2, 3] @ A[:2, 0]), "alpha": atan2(A[2, 1], A[2, 2])}
 
 
 def _angle(u: np.ndarray, v: np.ndarray) -> float:

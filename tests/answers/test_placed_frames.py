@@ -222,3 +222,24 @@ def test_bad_input_is_refused_by_name(frames, q, words):
 def test_only_arms_are_drawn():
     with pytest.raises(ValueError, match="arm: expected a kinlab Arm"):
         kl.examine_frames(GOOD, "BENT")
+
+
+def test_fixed_rows_need_no_frames():
+    arm = kl.Arm([kl.revolute(a=1), kl.fixed(a=0.5), kl.revolute(a=1), kl.fixed(d=0.2)])
+    up, ahead = (0, 0, 1), (1, 0, 0)
+    frames = [(up, ahead, (x, 0, 0)) for x in (0, 1.5, 2.5)]
+    placed = kl.examine_frames(frames, arm, [0, 0])
+    assert placed.ok and [link.a for link in placed.arm.links] == pytest.approx([1.5, 1])
+    frames[1] = (up, ahead, (1.4, 0, 0))
+    assert "0.1 m away from the axis of joint 2" in kl.examine_frames(frames, arm, [0, 0]).message
+
+
+def test_a_table_of_frames_counts_along_their_axes():
+    """The drawn arm's joint 2 counts the other way; the frames' own table does not."""
+    arm = kl.Arm([kl.revolute(a=1), kl.revolute(a=1, flip=True)])
+    frames = [((0, 0, 1), (1, 0, 0), (0, 0, 0)), ((0, 0, 1), (1, 0, 0), (1, 0, 0)),
+              ((0, 0, 1), (0, -1, 0), (1, -1, 0))]
+    placed = kl.examine_frames(frames, arm, [0, np.pi / 2])
+    assert placed.ok and placed.arm.home == pytest.approx([0, -np.pi / 2])
+    tip = kl.forward_kinematics(placed.arm, placed.arm.home)[:3, 3]
+    assert tip == pytest.approx([1, -1, 0])
