@@ -27,7 +27,7 @@ _ROOT = re.compile(r"\\sqrt\s*\{([^{}]{0,80})\}")
 _TIMES = re.compile(r"\\(?:cdot|times|ast|star)(?![A-Za-z])")
 _ABOVE = re.compile(r"[0-9.]*\s?(?:\\pi|[A-Za-z]\w*)|[0-9.]+")
 _BELOW = re.compile(r"\\pi|[A-Za-z]\w*|[0-9.]+")
-_BOLD = re.compile(r"(\*\*|__)(?=\S)(.{1,80})(?<=\S)\1")
+_BOLD = re.compile(r"(?<![\w)*])(\*\*|__)(?=\S)(.{1,80})(?<=\S)\1(?![\w(*])")  # 9**9**9 is a power
 _LIBRARY = re.compile(r"\b(?:np|numpy|math|sp|sympy|Math)\.(?=[A-Za-z])")
 _TURNED = re.compile(r"\b(?:[A-Za-z]{1,8}\.)?(?:deg2rad|radians)\(([^()]{1,60})\)")
 _PI = re.compile(r"\b(?:PI|Pi|M_PI)\b|(?<=[0-9])PI\b")

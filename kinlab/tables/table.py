@@ -26,7 +26,9 @@ from .cells import (
     read_length,
 )
 from .ends import ENDS, FORMS, POSE, ROW, TURNS, End
+from .measures import angle_of, length_text
 from .numbers import name_refused
+from .spelling import plain
 from .variables import variable
 
 LIMITS = ("low", "high", "home")
@@ -239,16 +241,26 @@ class DHTable:
 
         "base" or "tool" for a row types into that frame; its columns are x, y, z, roll, pitch,
         yaw, or those of a DH row. The joint's own variable, q2 or θ2* in row 2, is left out: its
-        cell holds the offset. A minus before it makes the joint count the other way.
+        cell holds the offset. A minus before it makes the joint count the other way. What cannot
+        be read as it stands is written as a pasted table would be: np.pi/2 as pi/2.
         """
         if isinstance(row, str):
             return self._with_end_cell(row, column, text)
         inputs.choice("column", column, COLUMNS)
         text = line(text)
         its = variable(text, column) if column == self._row(row).variable else None
-        if its is None or text in dict(self.lengths) or its.number != self._joint(row):
-            return self._with(row, **{column: text})
-        return self._with(row, **{column: its.offset, "flip": its.flip})
+        if its is None or text in dict(self.lengths) or its.number not in (None, self._joint(row)):
+            return self._with(row, **{column: self._spelled(row, column, text)})
+        offset = self._spelled(row, column, its.offset)
+        return self._with(row, **{column: offset, "flip": its.flip})
+
+    def _spelled(self, row: int, column: str, text: str) -> str:
+        """The text of a cell; where it cannot be read, as a pasted table would have it."""
+        angle = self._row(row).is_angle(column)
+        read, plainly = self._reading_of(angle, self._names({}, {})), plain(text)
+        other = angle_of(plainly, self.angles, self.angles) if angle \
+            else length_text(plainly, self.unit, self.unit)
+        return next((words for words in (text, other) if _can(read, words)), text)
 
     def _with_end_cell(self, end: str, column: str, text: str) -> DHTable:
         frame = self._end(end) or End.empty(ROW if column in FORMS[ROW] else POSE)
@@ -426,6 +438,14 @@ def _note(place: Place, read: Callable, text: str, values: dict, errors: dict) -
         values[place] = read(text)
     except ValueError as error:
         errors[place] = str(error)
+
+
+def _can(read: Callable[[str], float], text: str) -> bool:
+    try:
+        read(text)
+    except ValueError:
+        return False
+    return True
 
 
 def _check_limits(i: int, row: Row, values: dict, errors: dict) -> None:

@@ -707,3 +707,9 @@ def test_a_printed_editor_reads_back(name):
 def test_any_unit_reads_back(unit):
     table = DHTable.of(kl.Arm([kl.revolute(a=1)], unit=unit))
     assert all(read(write(table)) == table for write in (to_csv, to_markdown, to_latex))
+
+
+def test_a_power_is_not_bold():
+    table = read("theta,d,a,alpha\nq1,2**3**1,**0.5**,(2)**2\n")
+    assert [table.rows[0].d, table.rows[0].a] == ["2**3**1", "0.5"]
+    assert table.arm.links[0].d == 8

@@ -467,3 +467,15 @@ def test_lists_of_texts_are_what_they_say():
     good = [text for text in GOOD if "deg" not in text and "rad" not in text and "°" not in text]
     for text in filter(None, good):
         assert not table.with_cell(1, "a", text).errors, text
+
+
+@pytest.mark.parametrize("row, column, typed, text", [
+    (1, "theta", "*", "0"), (1, "theta", "q", "0"), (1, "theta", "q1 + np.pi/2", "pi/2"),
+    (1, "alpha", "np.pi/2", "pi/2"), (1, "alpha", "PI/2", "pi/2"), (1, "alpha", "3pi/2", "3*pi/2"),
+    (1, "alpha", "np.radians(90)", "(90) deg"), (1, "alpha", "90 degrees", "90"),
+    (1, "alpha", r"\frac{\pi}{2}", "pi/2"), (1, "alpha", "½π", "1/2*pi"),
+    (2, "d", "100 mm", "0.1"), (2, "d", "0.1 [m]", "0.1"), (2, "a", "√(2)", "sqrt(2)"),
+    (1, "alpha", "90°", "90°"), (1, "alpha", "1,5", "1,5"), (1, "a", "100 apples", "100 apples")])
+def test_a_cell_is_read_as_in_a_pasted_table(row, column, typed, text):
+    table = DHTable((Row(), Row("prismatic"))).with_cell(row, column, typed)
+    assert getattr(table.rows[row - 1], column) == text
