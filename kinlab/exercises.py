@@ -4,6 +4,7 @@
 """
 from __future__ import annotations
 
+import warnings
 from typing import Any
 
 from . import lessons
@@ -42,7 +43,8 @@ def check(name: str, answer: Any) -> Verdict:
     """
     judge = _judge(name)
     try:
-        return judge(answer)
+        with warnings.catch_warnings(action="ignore", category=inputs.Note):
+            return judge(answer)  # the verdict has the words
     except (Exception, SystemExit) as error:  # the answer's own methods may raise anything
         return Verdict(NOT_YET, "Your answer could not be read: it raised "
                                 f"{type(error).__name__}. Hand over what the exercise asks for.")

@@ -124,3 +124,13 @@ def test_html_escapes_what_the_student_wrote():
 def test_an_unknown_exercise_is_named():
     with pytest.raises(ValueError, match=r"name: expected 'alpha_ii.1' or .*, got 'alpha_ii.9'"):
         check("alpha_ii.9", 1)
+
+
+def test_a_check_says_all_in_its_verdict(recwarn):
+    """A word on degrees comes from the judge, and not from the judge's own use of the answer."""
+    degrees = kl.Arm([kl.revolute(d=1), kl.revolute(a=1)], home=[3, 4])
+    in_degrees = lambda alpha, a, d, theta: kl.forward_kinematics(  # noqa: E731
+        kl.Arm([kl.revolute(alpha=alpha * 57.3, a=a, d=d)]), [theta * 57.3])
+    for name, answer in (("n_link.1", in_degrees), ("n_link.3", degrees)):
+        assert not kl.exercises.check(name, answer).ok
+    assert not recwarn.list
