@@ -9,9 +9,10 @@ _SPACE = "http://www.w3.org/1998/Math/MathML"
 _INDEXED = (f"{{{_SPACE}}}msub", f"{{{_SPACE}}}msubsup")
 _TURNING = ("C", "S", "θ")  # what turns with the joints in its index
 ElementTree.register_namespace("", _SPACE)
-# Space about sin and cos, and none between a sign and what it belongs to.
+# Space about sin and cos, none between a sign and what it belongs to, no group of one.
 _OPERAND, _FUNCTION = r"(</(?:mi|mn|msub|msup|msubsup|mrow)>)", "((?:<msup>)?<mi>(?:sin|cos)</mi>)"
 _TYPOGRAPHY = (
+    (r"<mrow>(<(m[ni])>[^<]*</\2>)</mrow>", r"\1"),
     (_OPERAND + _FUNCTION, r'\1<mspace width="0.17em"/>\2'),
     (_FUNCTION + "(<mi>|<mn>|<msub>|<msubsup>)", r'\1<mspace width="0.17em"/>\2'),
     (r"(<mo[^>]*>(?!\)|\]|&#x00029;|&#x0005D;|&#x02026;|&#x022EF;)[^<]*</mo>)"
