@@ -150,11 +150,16 @@ def _rows(lines: Lines, first: int, columns: int) -> tuple[tuple[tuple[str, ...]
         if len(cells) < min(2, columns) and any(cells):
             if not _NUMBER.match(cells[0]):
                 return tuple(rows), k
-        elif _is_head(cells):
+        elif _is_head(cells) or (rows and not any(lines[k - 1]) and _is_sentence(cells)):
             return tuple(rows), k
         if any(cells):
             rows.append(tuple(cells))
     return tuple(rows), len(lines)
+
+
+def _is_sentence(cells: Sequence[str]) -> bool:
+    """Whether a line is words alone: each row of a table has a digit somewhere."""
+    return any(cells) and not any(letter.isdigit() for cell in cells for letter in cell)
 
 
 def _with_index(sheet: Sheet) -> Sheet:

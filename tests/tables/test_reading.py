@@ -713,3 +713,8 @@ def test_a_power_is_not_bold():
     table = read("theta,d,a,alpha\nq1,2**3**1,**0.5**,(2)**2\n")
     assert [table.rows[0].d, table.rows[0].a] == ["2**3**1", "0.5"]
     assert table.arm.links[0].d == 8
+
+
+def test_a_sentence_below_is_no_row():
+    table = read("i theta d a alpha\n1 q1 0.1 0 pi/2\n2 q2 0 1 0\n\nNote: all in m.\n")
+    assert [row.d for row in table.rows] == ["0.1", "0"] and not table.errors
