@@ -381,6 +381,11 @@ class Nearest(NamedTuple):
     cells: list[Deviation]
     compared: Comparison
 
+    @property
+    def held(self) -> np.ndarray:
+        """The answer's rows with the numbers that count as the right table has them."""
+        return np.where(self.compared.held, self.rows, self.compared.rows)
+
 
 def nearest_table(answer: Arm, reference: Arm, strict: bool,
                   valid: Callable[[Arm], bool]) -> Nearest:
@@ -401,6 +406,27 @@ def nearest_table(answer: Arm, reference: Arm, strict: bool,
                      _plain(table[i, k], right[i, k], k), not mechanism[i, k])
            for i, k in np.argwhere(compared.off(table))]
     return Nearest(table, sorted(off, key=lambda cell: _turn(cell, answer.links)), compared)
+
+
+def hidden_cells(answer: Arm, nearest: Nearest, right: Callable[[Arm], bool]) -> list[Deviation]:
+    """Numbers that count in the answer's frames, though they do not in the reference's.
+
+    Where the frame of a slide sits aside, an angle moves it that is free in the line of the axes.
+    The one number that mends the table, or all that differ but the joints' own.
+    """
+    rows, table = nearest.compared.rows, nearest.rows
+    apart = np.argwhere(~nearest.compared.equal(rows, table)).tolist()
+    cells = [(i, k) for i, k in apart if PARAMETERS[k] != answer.links[i].variable]
+    mending = [cell for cell in cells if right(_with_cell(answer, rows, table, cell))]
+    return [Deviation(PARAMETERS[k], i, float(rows[i, k]),
+                      _plain(table[i, k], nearest.compared.right[i, k], k))
+            for i, k in mending[:1] or cells]
+
+
+def _with_cell(answer: Arm, rows: np.ndarray, table: np.ndarray, cell: tuple[int, int]) -> Arm:
+    trial = rows.copy()
+    trial[cell] = table[cell]
+    return with_rows(answer, trial)
 
 
 def _plain(value: float, own: float, column: int) -> float:

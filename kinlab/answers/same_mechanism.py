@@ -21,7 +21,7 @@ from .mechanism import (
     turned_bend,
     wrapped,
 )
-from .nearest_table import nearest_table, with_rows
+from .nearest_table import hidden_cells, nearest_table, with_rows
 from .refusal import Wrong, axis_name, other_joints, refusal
 from .verdict import CORRECT, Fault, Verdict
 from .zero_pose import stand_alike
@@ -91,8 +91,10 @@ def _refused(answer: Arm, reference: Arm, strict: bool, mechanism: bool,
     if kinds(answer) != kinds(reference):
         return _without_fixed_rows(answer, reference, strict, mechanism, right)
     nearest = nearest_table(answer, reference, strict, right)
-    if not nearest.cells and right(plain := with_rows(answer, nearest.rows)):
+    if not nearest.cells and right(plain := with_rows(answer, nearest.held)):
         return same_mechanism(plain, reference, strict=strict)
+    if not nearest.cells and not mechanism:
+        nearest = nearest._replace(cells=hidden_cells(answer, nearest, right))
     return refusal(Wrong(answer, reference, nearest, mechanism, first), right)
 
 

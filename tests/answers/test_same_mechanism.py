@@ -264,3 +264,13 @@ def test_only_arms_are_judged(name):
     arms = {"answer": ALPHA_II, "reference": ALPHA_II, name: "Alpha II"}
     with pytest.raises(ValueError, match="arm: expected a kinlab Arm, got 'Alpha II'"):
         kl.same_mechanism(**arms)
+
+
+def test_an_angle_counts_where_the_frame_of_a_slide_stands_aside():
+    """Joints 1 to 3 share a line, so theta2 is free there; in a frame 0.9 aside it moves axis 3."""
+    reference = kl.Arm([R(), P(), R(alpha=RIGHT), R(a=1)])
+    aside = kl.Arm([R(a=0.9), P(a=0.9, theta=pi), R(alpha=RIGHT), R(a=1)])
+    assert kl.same_mechanism(aside, reference).ok
+    verdict = kl.same_mechanism(row(aside, 2, theta=pi + 1e-4), reference)
+    assert (verdict.ok, verdict.fault.row, verdict.fault.column) == (False, 2, "theta")
+    assert verdict.fault.expected == pytest.approx(pi)
