@@ -269,7 +269,7 @@ def test_formulas_are_drawn(visit):
     page, _ = visit("alpha")
     table = page.locator("math mtable").bounding_box()
     assert table["width"] > 300 and table["height"] > 60
-    subscript = page.locator("msub mrow").first.bounding_box()
+    subscript = page.locator("msub mn").first.bounding_box()
     letter = page.locator("msub mi").first.bounding_box()
     assert subscript["x"] > letter["x"] and subscript["y"] > letter["y"]
 
