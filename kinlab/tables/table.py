@@ -13,6 +13,7 @@ import numpy as np
 from ..arms import inputs
 from ..arms.arm import CONVENTIONS, Arm, to_modified, to_standard
 from ..arms.link import FIXED, KINDS, PARAMETERS, REVOLUTE, Link, variable_of
+from ..arms.printed import joint_numbers
 from .cells import (
     ANGLES,
     MILLIMETRES,
@@ -249,7 +250,8 @@ class DHTable:
         inputs.choice("column", column, COLUMNS)
         text = line(text)
         its = variable(text, column) if column == self._row(row).variable else None
-        if its is None or text in dict(self.lengths) or its.number not in (None, self._joint(row)):
+        if its is None or text in dict(self.lengths) or its.number not in (
+                None, joint_numbers(self.rows)[row - 1]):
             return self._with(row, **{column: self._spelled(row, column, text)})
         offset = self._spelled(row, column, its.offset)
         return self._with(row, **{column: offset, "flip": its.flip})
@@ -387,10 +389,6 @@ class DHTable:
     def _with(self, row: int, **changes: Any) -> DHTable:
         changed = replace(self._row(row), **changes)
         return replace(self, rows=(*self.rows[:row - 1], changed, *self.rows[row:]))
-
-    def _joint(self, row: int) -> int:
-        """The number of a row's joint."""
-        return sum(one.variable is not None for one in self.rows[:row])
 
     def _row(self, row: int) -> Row:
         return self.rows[_position("row", row, len(self.rows)) - 1]
