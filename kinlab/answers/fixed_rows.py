@@ -7,11 +7,10 @@ from __future__ import annotations
 
 from dataclasses import replace
 from itertools import pairwise
-from math import atan2, cos, sin
 
 import numpy as np
 
-from ..arms.arm import Arm, to_standard
+from ..arms.arm import Arm, row_of, to_standard
 from ..arms.kinematics import axis_frames, forward_kinematics, link_frames
 from ..arms.link import FIXED, with_numbers
 
@@ -47,7 +46,7 @@ def joints_only(arm: Arm) -> Arm:
     frames = [axes[0]]
     for axis in axes[1:]:
         frames.append(_next(frames[-1], axis))
-    rows = [with_numbers(link, **numbers_of(np.linalg.inv(before) @ after))
+    rows = [with_numbers(link, **row_of(np.linalg.inv(before) @ after))
             for link, (before, after) in zip(arm.joints, pairwise(frames))]
     tool = np.linalg.inv(frames[-1]) @ forward_kinematics(arm, np.zeros(arm.n))
     last = with_numbers(arm.joints[-1], theta=0, d=0, a=0, alpha=0)
@@ -68,11 +67,3 @@ def _next(before: np.ndarray, axis: np.ndarray) -> np.ndarray:
     T = np.eye(4)
     T[:3] = np.column_stack([x, np.cross(z, x), z, origin])
     return T
-
-
-def numbers_of(T: np.ndarray) -> dict[str, float]:
-    """The four numbers of a matrix that one row of a standard table makes."""
-    theta = atan2(T[1, 0], T[0, 0])
-    return {"theta": theta, "d": float(T[2, 3]),
-            "a": float(T[0, 3] * cos(theta) + T[1, 3] * sin(theta)),
-            "alpha": atan2(T[2, 1], T[2, 2])}

@@ -27,7 +27,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..arms.arm import Arm, to_modified, to_standard
+from ..arms.arm import Arm, row_of, to_modified, to_standard
 from ..arms.kinematics import forward_kinematics
 from ..arms.link import PARAMETERS, REVOLUTE, Link, revolute, with_numbers
 from .mechanism import FLAT, ROUNDING, SIXTH_DECIMAL, wrapped
@@ -105,9 +105,8 @@ def _last_row(answer: Arm, typed: np.ndarray, reference: Arm, own: np.ndarray) -
     None where there is none, or where the row is the reference's own: then the tool is wrong.
     """
     T = _matrix(own) @ reference.tool @ np.linalg.inv(answer.tool)
-    theta = np.arctan2(T[1, 0], T[0, 0])
-    row = np.array([theta, T[2, 3], T[0, 3] * np.cos(theta) + T[1, 3] * np.sin(theta),
-                    np.arctan2(T[2, 1], T[2, 2])])
+    numbers = row_of(T)
+    row = np.array([numbers[name] for name in PARAMETERS])
     apart = np.where([True, False, False, True], wrapped(row - own), row - own)
     row = np.where(np.abs(apart) <= FLAT, own, row)
     fits = np.allclose(_matrix(row), T, atol=FLAT) and (

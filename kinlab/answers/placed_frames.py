@@ -11,11 +11,11 @@ from typing import Any
 import numpy as np
 
 from ..arms import inputs
-from ..arms.arm import Arm
+from ..arms.arm import Arm, row_of
 from ..arms.joints import joint_array
 from ..arms.kinematics import axis_frames, forward_kinematics, link_frames
 from ..arms.link import REVOLUTE, with_numbers
-from .fixed_rows import joints_only, numbers_of
+from .fixed_rows import joints_only
 from .verdict import CORRECT, NOT_YET, Verdict
 
 # In rad, and of the drawing's size: frames typed with four decimals pass (each entry is off by
@@ -229,7 +229,7 @@ def _settle_across(drawing: _Drawing, i: int) -> None:
 
 def _table(drawing: _Drawing) -> Arm:
     poses = [_pose(*frame) for frame in zip(drawing.z, drawing.x, drawing.origins)]
-    rows = [numbers_of(np.linalg.inv(before) @ after) for before, after in pairwise(poses)]
+    rows = [row_of(np.linalg.inv(before) @ after) for before, after in pairwise(poses)]
     links, home = [], []
     for link, row in zip(drawing.reference.links, rows):
         home.append(row.pop(str(link.variable)))

@@ -163,6 +163,22 @@ def to_standard(arm: Arm) -> Arm:
     return replace(arm, links=links, convention="standard", base=base, tool=tool)
 
 
+def row_of(T: np.ndarray) -> dict[str, float]:
+    """The four numbers of a matrix (4, 4) that one row of a standard table makes.
+
+    Examples
+    --------
+    >>> T = np.eye(4)
+    >>> T[:3, 3] = 1, 0, 2
+    >>> row_of(T)
+    {'theta': 0.0, 'd': 2.0, 'a': 1.0, 'alpha': 0.0}
+    """
+    theta = math.atan2(T[1, 0], T[0, 0])
+    return {"theta": theta, "d": float(T[2, 3]),
+            "a": float(T[0, 3] * math.cos(theta) + T[1, 3] * math.sin(theta)),
+            "alpha": math.atan2(T[2, 1], T[2, 2])}
+
+
 def _x_screw(a: float, alpha: float) -> np.ndarray:
     return matrix(follow([Motion(TRANSLATE, X, a), Motion(ROTATE, X, alpha)], (), Frame()))
 

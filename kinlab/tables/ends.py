@@ -1,7 +1,6 @@
 """Base and tool frames as typed: x, y, z and three turns, one DH row, or a matrix carried along."""
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
@@ -10,8 +9,10 @@ import numpy as np
 
 from ..arms import inputs
 from ..arms.arm import CONVENTIONS
+from ..arms.arm import row_of as standard_row_of
 from ..arms.link import PARAMETERS
 from ..arms.motions import ROTATE, TRANSLATE, Motion, X, Y, Z, follow, matrix, motions_of
+from ..arms.transforms import inverse
 from .cells import angle_text, number_text
 
 ENDS = ("base", "tool")
@@ -138,7 +139,8 @@ def pose_of(T: np.ndarray) -> dict[str, float]:
 
     Examples
     --------
-    >>> pose_of(np.diag([-1.0, -1, 1, 1]))["yaw"] == math.pi
+    >>> from math import pi
+    >>> pose_of(np.diag([-1.0, -1, 1, 1]))["yaw"] == pi
     True
     """
     found = {(motion.kind, motion.axis): float(motion.amount) for motion in motions_of(T)}
@@ -162,12 +164,8 @@ def row_of(T: np.ndarray, convention: str) -> dict[str, float]:
     {'theta': 0.0, 'd': 2.0, 'a': 1.0, 'alpha': 0.0}
     """
     # Read backwards, a modified row is a standard one with its signs changed.
-    forward = convention == "standard"
-    R, (x, y, z) = (T[:3, :3], T[:3, 3]) if forward else (T[:3, :3].T, -T[:3, :3].T @ T[:3, 3])
-    theta, alpha = math.atan2(R[1, 0], R[0, 0]), math.atan2(R[2, 1], R[2, 2])
-    values = [theta, z, math.cos(theta) * x + math.sin(theta) * y, alpha]
-    row = {name: float(value if forward else -value) + 0.0
-           for name, value in zip(PARAMETERS, values)}
+    sign, read = (1, T) if convention == "standard" else (-1, inverse(T))
+    row = {name: sign * value + 0.0 for name, value in standard_row_of(read).items()}
     largest = max(1.0, float(np.abs(T).max()))
     if np.abs(_built(CONVENTIONS[convention], row) - T).max() > _SAME * largest:
         raise ValueError("form: expected a frame that one DH row makes, got one with more turns or "
