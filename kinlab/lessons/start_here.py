@@ -13,6 +13,7 @@ from ..arms import inputs, kinematics, robots
 from ..drawing.scene import LINE, at, circle, origin_of
 from ..drawing.sketch import Sketch
 from ..views.live import LiveView
+from . import notation
 
 _ARM = robots.two_link()
 TARGET = np.array([cos(radians(20)) + cos(radians(80)), sin(radians(20)) + sin(radians(80))])
@@ -66,29 +67,7 @@ _UNIT_SLIPS = [
     ("The lengths have changed places: joint 2 lifts, joint 3 reaches.", [pi / 3, 0.45, 0.25]),
 ]
 
-# ---- Exercise 3: three notations ----------------------------------------------------------
-
-_NOTATION_HINTS = {
-    ("same pose", 1): "In Robotics and Controls the upper index is the frame you look from.",
-    ("same pose", 2): "In Robotics and Controls the upper index is the frame you look from.",
-    ("same pose", 3): "In lecture 2.8 the lower index is the frame you look from.",
-    ("same pose", 4): "In lecture 2.8 the lower index is the frame you look from.",
-    ("same pose", 5): "With an index on each side, the upper left one is the frame you look from.",
-    ("same pose", 6): "kinlab writes the frame you look from first.",
-}
-
-# ---- Exercise 4: what fits together -------------------------------------------------------
-
-_PRODUCT_HINTS = {
-    ("meaningful", 1): "T_01 @ T_12: the inner indices are 1 and 1.",
-    ("meaningful", 2): "T_12 @ T_01: the inner indices are 2 and 0.",
-    ("meaningful", 3): "T_01 takes coordinates in frame 1. Which ones does p_0 hold?",
-    ("meaningful", 4): "T_02 takes coordinates in frame 2, and p_2 holds just those.",
-    ("meaningful", 5): "An inverse exchanges the two indices: what is the inverse of T_01?",
-    ("meaningful", 6): "First exchange the indices of T_21, then compare the inner ones.",
-}
-
-# ---- Exercise 5: two ways to reach --------------------------------------------------------
+# ---- Exercise 3: two ways to reach --------------------------------------------------------
 
 
 def _two_ways(answer: Any) -> np.ndarray:
@@ -123,12 +102,8 @@ JUDGES: dict[str, Judge] = {
     "start_here.2": values(
         _Q, entry=lambda index: f"q[{index[0]}]", slips=_UNIT_SLIPS,
         praise="Radians for the revolute joint, metres for the two that slide."),
-    "start_here.3": choices(
-        {"same pose": {1, 3, 5, 6}}, {1, 2, 3, 4, 5, 6}, _NOTATION_HINTS, noun="symbol",
-        praise="Four ways to write one pose: where frame 2 is, seen from frame 1."),
-    "start_here.4": choices(
-        {"meaningful": {1, 4, 5, 6}}, {1, 2, 3, 4, 5, 6}, _PRODUCT_HINTS, noun="line",
-        praise="Neighbouring indices must agree. The last line is T_01 @ T_12 in disguise."),
+    "start_here.3": notation.JUDGES["notation.1"],  # under these names in copies of lesson 00
+    "start_here.4": notation.JUDGES["notation.2"],  # from before lesson 03b
     "start_here.5": one_of_many(
         _two_ways, (*_BOTH_REACH, _elbows_differ), slips=_WAY_SLIPS,
         praise="One position, two answers. Forward kinematics never has that trouble: each pair "

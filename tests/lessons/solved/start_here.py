@@ -4,19 +4,22 @@ from math import pi
 import numpy as np
 import sympy as sp
 
+from . import notation
+
 FORWARD, INVERSE = {1, 4, 5}, {2, 3, 6}
 WAYS = np.radians([[20, 60], [80, -60]])
 
 RIGHT = {
     "start_here.1": [FORWARD, INVERSE],
     "start_here.2": [sp.pi / 3, 0.25, sp.Rational(9, 20)],
-    "start_here.3": [{1, 3, 5, 6}],
-    "start_here.4": [{1, 4, 5, 6}],
+    **{old: notation.RIGHT[new] for old, new in notation.OLD_NAMES.items()},
     "start_here.5": WAYS,
 }
 
 # (exercise, answer, words of the message)
 WRONG = [
+    *((old, *case[1:]) for old, new in notation.OLD_NAMES.items()
+      for case in notation.WRONG if case[0] == new),
     ("start_here.1", [INVERSE, FORWARD], "forward: got {2, 3, 6}, but not question 2"),
     ("start_here.1", [{1, 5}, INVERSE], "one is missing. Question 4"),
     ("start_here.1", [{1, 4, 5, 6}, {2, 3}], "not question 6"),
@@ -35,13 +38,6 @@ WRONG = [
     ("start_here.2", [1.0, 0.25, 0.45], "q[0] is not 1."),
     ("start_here.2", [pi / 3, 0.25], "shape (3,)"),
     ("start_here.2", ["60 deg", 0.25, 0.45], "plain numbers"),
-    ("start_here.3", [{1, 3, 5}], "one is missing. kinlab writes the frame you look from first"),
-    ("start_here.3", [{1, 2, 3, 5, 6}], "not symbol 2. In Robotics and Controls the upper index"),
-    ("start_here.3", [{1, 4, 5, 6}], "not symbol 4. In lecture 2.8 the lower index"),
-    ("start_here.3", {1, 3, 5, 6}, "in a list"),
-    ("start_here.4", [{1, 2, 4, 5, 6}], "not line 2. T_12 @ T_01"),
-    ("start_here.4", [{1, 3, 4, 5, 6}], "not line 3. T_01 takes coordinates in frame 1"),
-    ("start_here.4", [{1, 4, 5}], "one is missing. First exchange the indices of T_21"),
     ("start_here.5", np.degrees(WAYS), "look like degrees"),
     ("start_here.5", WAYS.T, "have to be rows"),
     ("start_here.5", [WAYS[0], WAYS[0]], "in the same way"),
