@@ -294,19 +294,27 @@ function unitOf(light) {
 const AXIS_SHARE = 0.075, AXIS_LEAST = 30, AXIS_MOST = 54;   // of the smaller side; px
 const PART_OF_NAME = 10, FALLING = 1.25;            // px; the scale falls while arrows are framed
 const PER_SHARED = 0.36;                            // longer for each frame at the same origin
-const ARROW_HEAD = 9;                               // px
+const ARROW_HEAD = 9, SLACK = 1e-6;                 // px
+
+/** @type {(from: number[], to: number[]) => number} */
+const apart = ([x, y], [u, v]) => Math.hypot(u - x, v - y);
 
 /**
- * Shaft and head; the head shrinks as the arrow turns towards the viewer.
- * @param {number[][]} ends
+ * Shaft and head; the head shrinks as the arrow turns towards the viewer. The shaft runs through
+ * all the points, and back again, so that only the head can be filled.
+ * @param {number[][]} points
  */
-export function arrowPoints([tail, tip]) {
-  const [dx, dy] = [tip[0] - tail[0], tip[1] - tail[1]], length = Math.hypot(dx, dy);
-  const [ux, uy] = length > 1e-9 ? [dx / length, dy / length] : [0, 0];
-  const head = Math.min(ARROW_HEAD, 0.5 * length), side = 0.36 * head;
-  const neck = [tip[0] - head * ux, tip[1] - head * uy];
-  const wing = (/** @type {1 | -1} */ s) => [neck[0] - s * side * uy, neck[1] + s * side * ux];
-  return [tail, neck, wing(1), tip, wing(-1), neck, tail];
+export function arrowPoints(points) {
+  let k = points.length - 1, left = 0;              // from point k to the tip
+  const tip = points[k], long = points.reduce((sum, p, i) => sum + apart(points[i - 1] ?? p, p), 0);
+  const head = Math.min(ARROW_HEAD, 0.5 * long);
+  while (k && left <= head + SLACK) left += apart(points[k], points[--k]);
+  const [x, y] = points[k], share = (left - head) / apart(points[k], points[k + 1]) || 0;
+  const neck = [x + share * (points[k + 1][0] - x), y + share * (points[k + 1][1] - y)];
+  const side = 0.36 * head / (apart(neck, tip) || 1), shaft = [...points.slice(0, k + 1), neck];
+  const wing = (/** @type {1 | -1} */ s) =>
+    [neck[0] - s * side * (tip[1] - neck[1]), neck[1] + s * side * (tip[0] - neck[0])];
+  return [...shaft, wing(1), tip, wing(-1), ...shaft.reverse()];
 }
 
 /** @type {(picture: number[]) => number} */
@@ -441,8 +449,7 @@ const KEPT_OFF = ["arc", "line"], PIECE = 4;        // parts; how many steps of 
  * @param {number[][]} points
  */
 function keptOff({ shape, part }, points) {
-  if (shape === "arrow") return [{ a: points[0], b: points[1] }];
-  if (shape !== "line" || !KEPT_OFF.includes(part)) return [];
+  if (shape !== "arrow" && (shape !== "line" || !KEPT_OFF.includes(part))) return [];
   const corners = points.filter((_, k) => k % PIECE === 0 || k === points.length - 1);
   return corners.slice(1).map((b, k) => ({ a: corners[k], b }));
 }

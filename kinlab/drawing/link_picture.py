@@ -26,7 +26,7 @@ from .sketch import Sketch
 
 _AXES, _VIEW = np.eye(3), Camera(*SPATIAL["3-D"]).axes[2]
 _LETTERS = {"theta": "θ", "d": "d", "a": "a", "alpha": "α"}
-_HALF, _HEAD, _END = 8, 14, 16  # frames along a sweep: its middle, its arrow head, its end
+_HALF = 8  # frame in the middle of a sweep
 
 
 def parameters_scene(arm: Arm, link: int, q: Any) -> Scene:
@@ -125,7 +125,6 @@ class LinkSketch(Sketch):
         for frame in (before, after):
             self.line(f"ray-{k}-{frame}", at(frame, (0, 0, 0), 1.08 * place))
         marks = self.sweep(f"arc-{k}", after, place)
-        self.arrow(f"head-{k}", at(marks[_HEAD], place)[0], at(marks[_END], place)[0], "angle")
         self.label(self._name(k), at(marks[_HALF], place, (0, 0, 0)), "angle")
 
     def _dimension(self, k: int, axis: int, before: int, after: int) -> None:

@@ -148,7 +148,8 @@ class Item:
     line   its corners; never filled
     face   corners, seen from one side only
     hull   any; drawn is the outline of all
-    arrow  tail, tip
+    arrow  tail, tip; or its corners, if it
+           is bent
     trace  one, whose way is drawn
     text   one, where the words want to stand
     tube   middles of its two ends            radius at the first, radius at the second

@@ -269,16 +269,18 @@ class Sketch:
         corner = (frame, point[1], 0.0, 0.0)
         self.line(f"legs-{name}", (origin_of(frame), corner, point))
 
-    def sweep(self, name: str, step: int, place: Numbers, style: str = "arc",
+    def sweep(self, name: str, step: int, place: Numbers, style: str = "angle",
               text: str = "") -> list[int]:
         """The path that a point takes as motion number `step` (its frame) is carried out.
 
-        For a rotation an arc, for a slide a line; `text` stands at its middle. The frames along it.
+        For a rotation an arc, for a slide a line; `text` stands at its middle. Its arrow head says
+        which way it goes; a path that is dashed has none. The frames along it.
         """
         motion, before = self._step(step), self._before(step)
         marks = [self._part(motion, before, share) for share in np.linspace(0, 1, 17)]
         joint = None if motion.joint is None else motion.joint + 1
-        self.line(name, [at(frame, place)[0] for frame in marks], style, part="arc", joint=joint)
+        self.add(name, LINE if style == "dashed" else ARROW, style,
+                 [at(frame, place)[0] for frame in marks], part="arc", joint=joint)
         if text:
             self.label(text, at(marks[8], place, (0, 0, 0)),
                        "angle" if motion.kind == ROTATE else "length", joint=joint)

@@ -380,9 +380,8 @@ class _Still:
 
     def _strokes(self) -> list[Bar]:
         ends = [self.lens.see(np.array(self._axis(item))[[0, 2]]) for item in self._of([AXIS])]
-        ends += [self.lens.see(self._room(item)) for item in self._of([ARROW])]
-        for item in self._of([LINE]):
-            if item.part in _KEPT_OFF:
+        for item in self._of([LINE, ARROW]):
+            if item.shape == ARROW or item.part in _KEPT_OFF:
                 corners = self.lens.see(self._room(item))
                 stops = [*range(0, len(corners) - 1, _PIECE), len(corners) - 1]
                 ends += [corners[[k, m]] for k, m in pairwise(stops)]
@@ -450,12 +449,17 @@ def outline(shape: str, points: np.ndarray) -> list[np.ndarray]:
     return [{HULL: hull, ARROW: arrow}.get(shape, lambda p: p)(points)]
 
 
-def arrow(ends: np.ndarray) -> np.ndarray:
-    """Shaft and head; the head shrinks as the arrow turns towards the viewer."""
-    tail, tip = ends
-    shaft = tip - tail
-    length = float(np.hypot(*shaft))
-    along = shaft / length if length > 1e-9 else np.zeros(2)
-    head = min(_HEAD, 0.5 * length)
-    neck, side = tip - head * along, 0.36 * head * np.array([-along[1], along[0]])
-    return np.array([tail, neck, neck + side, tip, neck - side, neck, tail])
+def arrow(points: np.ndarray) -> np.ndarray:
+    """Shaft and head; the head shrinks as the arrow turns towards the viewer.
+
+    The shaft runs through all the points, and back again, so that only the head can be filled.
+    """
+    pieces, tip = np.hypot(*np.diff(points, axis=0).T), points[-1]
+    left = np.cumsum(pieces[::-1])[::-1]  # from each point to the tip
+    head = min(_HEAD, 0.5 * float(left[0]))
+    k = max(0, int(np.sum(left > head + _SAME)) - 1)
+    share = (left[k] - head) / pieces[k] if pieces[k] > 0 else 0.0
+    neck = points[k] + share * (points[k + 1] - points[k])
+    along = unit(tip - neck)
+    shaft, side = [*points[:k + 1], neck], 0.36 * head * np.array([-along[1], along[0]])
+    return np.array([*shaft, neck + side, tip, neck - side, *shaft[::-1]])

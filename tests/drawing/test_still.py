@@ -118,3 +118,22 @@ def test_an_arrow_has_a_head_that_shrinks_with_it(tip, head):
     close(path[[0, 3, -1]], [tail, tail + tip, tail])
     close(np.linalg.norm(path[3] - path[1]), head, atol=1e-12)
     close(np.linalg.norm(path[2] - path[4]), 0.72 * head, atol=1e-12)
+
+
+def test_a_bent_arrow_has_its_head_on_its_last_way():
+    path = arrow(np.array([(0, 0), (50, 0), (50, 20)]))
+    close(path, [(0, 0), (50, 0), (50, 11), (46.76, 11), (50, 20), (53.24, 11), (50, 11), (50, 0),
+                 (0, 0)])
+
+
+@pytest.mark.parametrize("degrees", [-170, -90, -5, 5, 90, 170])
+def test_the_head_of_an_arc_says_which_way_it_turns(degrees):
+    t = np.radians(degrees) * np.linspace(0, 1, 17)
+    path = arrow(80 * np.stack([np.cos(t), np.sin(t)], axis=-1))
+    one, tip, other = path[len(path) // 2 - 1:][:3]
+    tangent = np.sign(degrees) * np.array([-np.sin(t[-1]), np.cos(t[-1])])
+    assert (tip - (one + other) / 2) @ tangent > 0.99 * np.linalg.norm(tip - (one + other) / 2) > 0
+
+
+def test_an_arrow_without_length_is_a_point():
+    close(arrow(np.full((17, 2), 3.0)), 3.0)

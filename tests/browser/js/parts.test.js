@@ -12,6 +12,12 @@ test("points become paths", () => {
     "L91.0 -3.2L91.0 0.0L0.0 0.0Z");
 });
 
+test("a bent arrow has its head on its last way", () => {
+  assert.equal(PATHS.arrow([[0, 0], [50, 0], [50, 20]]), "M0.0 0.0L50.0 0.0L50.0 11.0L46.8 11.0" +
+    "L50.0 20.0L53.2 11.0L50.0 11.0L50.0 0.0L0.0 0.0Z");
+  assert.equal(PATHS.arrow([[0, 0], [50, 0], [50, 9]]).split("L").length, 7);   // no corner twice
+});
+
 test("a face is drawn only from its front", () => {
   const face = [[0, 0], [0, 4], [4, 0]];
   assert.equal(PATHS.face(face), "M0.0 0.0L0.0 4.0L4.0 0.0Z");
@@ -19,5 +25,5 @@ test("a face is drawn only from its front", () => {
 });
 
 test("an arrow without length is a point", () => {
-  assert.ok(!PATHS.arrow([[3, 3], [3, 3]]).includes("NaN"));
+  assert.ok(!PATHS.arrow([[3, 3], [3, 3], [3, 3]]).includes("NaN"));
 });
