@@ -23,7 +23,7 @@ from nbconvert.filters.markdown_mistune import IPythonRenderer, MarkdownWithMath
 from pygments.formatters import HtmlFormatter
 
 from ..browser import bundle, mathml
-from . import pieces
+from . import minutes, pieces
 from .handout import FOLDER, writing
 from .notebooks import run
 
@@ -70,7 +70,8 @@ class Lesson:
 
     @property
     def minutes(self) -> str:
-        return self._said(r"^Time: (\d+ minutes)")
+        total, parts = minutes.opening(self.notebook)
+        return f"{total} minutes" + f" in {parts} parts" * (parts > 1)
 
     def _said(self, line: str) -> str:
         found = re.search(line, self.opening, re.MULTILINE)
