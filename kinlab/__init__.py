@@ -29,6 +29,8 @@ _NAMES = {
     "views.arm_view": ("ArmView",),
     "views.target_view": ("TargetView",),
     "views.studies": ("solve_view", "velocity_view"),
+    "predictions": ("predict",),
+    "arms.shown": ("show",),
     "views.table_editor": ("DHTableEditor",),
 }
 _HOME = {name: module for module, names in _NAMES.items() for name in names}

@@ -24,6 +24,7 @@ MAY_KNOW = {
     "lessons": {"arms", "ik", "answers", "tables", "drawing", "browser", "views"},
     "course": {"views", "browser"},
     "exercises": {"arms.inputs", "answers", "lessons"},   # the door kl.exercises.check
+    "predictions": {"arms.inputs", "lessons", "views"},   # the door kl.predict
     "__main__": {"course"},
     "__init__": set(),
 }
@@ -37,7 +38,8 @@ LIBRARIES = {
     "drawing.legend": {"matplotlib"},
     "drawing.workspace_figures": {"matplotlib"}, "browser.mathml": {"latex2mathml"},
     "browser.page": {"jinja2", "PIL"}, "browser.bundle": {"rjsmin"},
-    "views.live": {"anywidget", "traitlets"}, "views.table_editor": {"traitlets"},
+    "views.live": {"anywidget", "traitlets"}, "views.prediction": {"traitlets"},
+    "views.table_editor": {"traitlets"},
 }
 
 
@@ -103,7 +105,7 @@ def test_pyplot_is_never_used():
 
 # ---- JavaScript ----
 
-HOSTS = {"widget", "saved_views", "host_jupyter", "host_table", "host_page"}
+HOSTS = {"widget", "saved_views", "host_jupyter", "host_table", "host_page", "host_predict"}
 
 
 def lines(path):

@@ -94,6 +94,7 @@ PAINTS: dict[str, Paint] = {
     "arc": _quantity("angle", 1.6, filled=False),
     "tool": _quantity("point", 6, filled=False),              # a dot
     "trace": _quantity("point", 1.6, filled=False),
+    "guess": pen(INK, 11),                                   # a dot that a student sets
     "miss": _quantity("target", 1.4, filled=False, dash=(5.6, 4.2)),
     "ink": {"fill": INK},
     **{axis: _quantity(axis, 1.8) for axis in "xyz"},

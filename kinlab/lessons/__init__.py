@@ -1,6 +1,7 @@
-"""What each lesson needs of its own: its views and the judges of its exercises, a module each.
+"""What each lesson needs of its own, a module each: views, predictions, judges of exercises.
 
-A module has a dictionary JUDGES, from names such as "alpha_ii.1" to judges made by `answers`.
+A module has a dictionary JUDGES, from names such as "alpha_ii.1" to judges made by `answers`, and
+a dictionary PREDICTIONS, from names such as "rotation.riding" to what is asked (`Asked`).
 """
 from __future__ import annotations
 
@@ -9,6 +10,7 @@ from pkgutil import iter_modules
 from typing import Any
 
 from ..answers.judges import Judge
+from ..answers.prediction import Asked
 
 
 def names() -> tuple[str, ...]:
@@ -19,6 +21,11 @@ def names() -> tuple[str, ...]:
 def judges(lesson: str) -> dict[str, Judge]:
     """The judges of one lesson's exercises, by name."""
     return getattr(import_module(f"{__name__}.{lesson}"), "JUDGES", {})
+
+
+def predictions(lesson: str) -> dict[str, Asked]:
+    """What one lesson asks before something moves, by name."""
+    return getattr(import_module(f"{__name__}.{lesson}"), "PREDICTIONS", {})
 
 
 def __getattr__(name: str) -> Any:

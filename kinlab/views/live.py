@@ -148,6 +148,10 @@ class LiveView(anywidget.AnyWidget):
         """The parts of each formula under the picture, by its name."""
         return self._scene.read(self._values)
 
+    def copied(self) -> tuple[Scene, np.ndarray]:
+        """The scene and the values of all its knobs, for another picture of it."""
+        return self._scene, self._values.copy()
+
     # ---- pages ----
 
     def save_html(self, path: str | os.PathLike, question: str = "") -> Path:
@@ -234,7 +238,7 @@ class LiveView(anywidget.AnyWidget):
         """Show a scene from now on, at these values; its knobs become traits."""
         self._scene = scene
         self._named = {knob.name: knob for knob in scene.knobs}
-        self._in_q = slice(0, scene.target.joints if scene.target else None)
+        self._in_q = slice(0, self._joints_of(scene))
         self._scales = np.array([knob.scale for knob in scene.knobs])
         self._values = self._within(values)
         fresh = [knob.name for knob in scene.knobs if knob.name not in self._knobs_ever]
@@ -247,6 +251,10 @@ class LiveView(anywidget.AnyWidget):
         self.observe(self._heard, fresh)
         with self._settled():
             self._show_values()
+
+    def _joints_of(self, scene: Scene) -> int:
+        """How many of the knobs are in `q`: not those of a target."""
+        return scene.target.joints if scene.target else len(scene.knobs)
 
     def _replace(self, scene: Scene, values: np.ndarray) -> None:
         """Another scene in the place of this one, in one step for the browser."""
