@@ -4,7 +4,7 @@
 
 import { frames, velocities } from "./frames.js";
 import { clip } from "./steps.js";
-import { cross, dot, minus, times } from "./vectors.js";
+import { cross, dot, minus, norm, times } from "./vectors.js";
 
 /** @import { Drive, Knob, Solved, TargetScene, Triple } from "./types.js" */
 /** @typedef {{ e: Triple, columns: () => Triple[] }} Aim how far off, and what each mover does */
@@ -71,11 +71,13 @@ export function descend({ knobs, movers, radius, idle, aim }, q) {
     if (now.cost < best.cost) best = now;
     if (gain > idle * now.cost || (gain <= 0 && damping < 1e4)) continue;
     if (pushed) break;
-    // A stretched arm cannot tell on which side to fold: push it a little, once.
+    // A stretched arm cannot tell on which side to fold: push it a little, once. A joint that does
+    // not move the tool, such as a tool's roll, would stay turned by that, so it is left alone.
     pushed = true;
     damping = 1e-3;
-    now = look(put(now.q, moving.map((knob, i) =>
-      kept(now.q[movers[i]] + 0.03 * (-1) ** i * sizes[i], knob))));
+    const columns = now.columns(), push = (/** @type {number} */ i) =>
+      norm(columns[i]) * sizes[i] > IDLE * radius ? 0.03 * (-1) ** i * sizes[i] : 0;
+    now = look(put(now.q, moving.map((knob, i) => kept(now.q[movers[i]] + push(i), knob))));
   }
   return { q: best.q, steps, error: Math.sqrt(best.cost) * radius };
 

@@ -27,11 +27,15 @@ class Iterate:
         together, weighted: what the methods bring down.
     condition : float
         Largest over smallest singular value of the Jacobian; infinite where it loses rank.
+    position_error, rotation_error : float
+        How far the tool is from the target (arm's unit, rad), in the directions that count.
     """
 
     q: np.ndarray
     error: float
     condition: float
+    position_error: float
+    rotation_error: float
 
 
 class Attempt:
@@ -48,7 +52,7 @@ class Attempt:
         found = search(task, METHODS[method], self.seen, q0.T, restarts=restarts, steps=steps,
                        seed=seed, trail=trail)
         self.q, self.iterations, self.name = task.settled(found.q, q0.T).T, found.steps, found.name
-        self.misses = self._misses()
+        self.misses = self._misses(self.q, targets)
         position, rotation = self.misses
         self.success = ((position <= task.tolerance * typical_length(task.arm))
                         & (rotation <= task.tolerance))
@@ -59,9 +63,10 @@ class Attempt:
                 for names, q, error in self.trail]
         q = np.concatenate([q for q, _ in mine], axis=1)
         errors = np.concatenate([error for _, error in mine])
-        sizes = self._sizes(q, np.zeros(q.shape[1], int))
-        return tuple(Iterate(row, float(error), float(condition)) for row, error, condition
-                     in zip(q.T, np.sqrt(2 * errors), _condition(sizes)))
+        first = np.zeros(q.shape[1], int)
+        about = (np.sqrt(2 * errors), _condition(self._sizes(q, first)),
+                 *self._misses(q.T, self.targets[first]))
+        return tuple(Iterate(row, *map(float, rest)) for row, *rest in zip(q.T, *about))
 
     def messages(self) -> list[str]:
         """For each target: reached, or why not."""
@@ -70,11 +75,11 @@ class Attempt:
         return [f"reached in {steps} steps" if ok else reason
                 for ok, steps, reason in zip(self.success, self.iterations, reasons)]
 
-    def _misses(self) -> np.ndarray:
-        """Position error (arm's unit) and rotation error (rad), shape (2, m)."""
-        poses = tool_poses(self.task.arm, self.q)
-        R, R_target = poses[:, :3, :3], self.targets[:, :3, :3]
-        offset = np.einsum("mji,mj->im", R_target, poses[:, :3, 3] - self.targets[:, :3, 3])
+    def _misses(self, q: np.ndarray, targets: np.ndarray) -> np.ndarray:
+        """Position error (arm's unit) and rotation error (rad) at joint values (m, n): (2, m)."""
+        poses = tool_poses(self.task.arm, q)
+        R, R_target = poses[:, :3, :3], targets[:, :3, :3]
+        offset = np.einsum("mji,mj->im", R_target, poses[:, :3, 3] - targets[:, :3, 3])
         turn = rotation_vectors(np.einsum("mki,mkj->jim", R_target, R))
         counts = self.task.weights[:, None] > 0
         return np.linalg.norm([offset * counts[:3], turn * counts[3:]], axis=1)

@@ -19,6 +19,7 @@ LEAST, SOFTER, HARDER = 0.1, 0.5, 4.0  # damping, as a multiple of the error
 LARGE = 0.3    # an error beyond this is damped no harder
 FLOOR = 1e-12  # keeps the damped equations solvable where the error is zero
 SINGULAR = 1e-9  # times the largest singular value: less counts as zero
+IDLE = 1e-12     # what moves the tool less, in parts of the reach per radian, does not move it
 TINY = np.finfo(float).tiny
 
 Rule = Callable[[np.ndarray, np.ndarray, np.ndarray], np.ndarray]
@@ -129,7 +130,7 @@ class Search:
         self.left = self.left - wanted
         name = self.names + np.arange(len(owner))
         self.names += len(owner)
-        return lanes.beside(self._begin(owner, name, self.task.starts(self.rng, len(owner))))
+        return lanes.beside(self._begin(owner, name, self._starts(owner)))
 
     def note(self, ended: Lanes, reached: np.ndarray) -> None:
         """Take in where lanes ended; the best of several for one target is written last."""
@@ -142,6 +143,12 @@ class Search:
         owner = ended.owner[order]
         self.q[:, owner], self.error[owner] = q[:, order], error[order]
         self.name[owner] = ended.name[order]
+
+    def _starts(self, owner: np.ndarray) -> np.ndarray:
+        """Random starts; a joint that does not count, such as a tool's roll for a point, stays."""
+        q = self.task.starts(self.rng, len(owner))
+        J, _ = self.task.errors(self.seen[..., owner], q)
+        return np.where(np.abs(J).max(axis=1) > IDLE, q, self.q[:, owner])
 
     def _begin(self, owner: np.ndarray, name: np.ndarray, q: np.ndarray) -> Lanes:
         return Lanes.begin(owner, name, self.seen[..., owner], q)

@@ -188,6 +188,7 @@ def test_history_is_the_way_from_start_to_result():
         R = target[:3, :3].T @ T[:3, :3]
         angle = np.linalg.norm(rotation_vectors(R.T[..., None]))
         close(step.error, np.hypot(offset, angle), rtol=1e-9, atol=1e-12)
+        close([step.position_error, step.rotation_error], [offset * reach(arm), angle], atol=1e-9)
         scale = np.repeat([reach(arm), 1], 3)[:, None]
         close(step.condition, np.linalg.cond(kl.jacobian(arm, step.q) / scale), rtol=1e-6)
 
@@ -403,3 +404,12 @@ def test_a_miss_is_told_in_the_directions_that_count():
     assert far.endswith("misses it by 22.1 mm")
     pose = kl.homogeneous(kl.rotation_x(np.radians(160)), [300, 0, 80])
     assert " mm and 20 degrees" in kl.inverse_kinematics(kl.robots.alpha_ii(), pose).message
+
+
+def test_a_joint_that_does_not_count_stays_where_it_was():
+    """The tool's roll moves no point: neither steps nor random starts turn it."""
+    arm, begin = kl.robots.alpha_ii(), np.radians([0, 0, 0, -90, 25])
+    for point in ([300, 0, 215], [250, 150, 60], [500, 0, 300]):
+        result = kl.inverse_kinematics(arm, point, begin)
+        close(result.q[4], begin[4], atol=1e-9)
+        assert result.success == (point[0] != 500)

@@ -88,3 +88,13 @@ test("where the joints go the target rides", () => {
   chase.lead.write([0.5, -1, 1, 1]);                // the joints there are not looked at
   assert.deepEqual(joints.read(), reach(scene(), [0, 0, 1, 1], [1, 1, 0]).q);
 });
+
+test("a joint that does not move the tool is not pushed", () => {
+  const flat = scene(), tool = motions.slice(0, 4);   // a roll about the second link's own length
+  const rolled = { ...flat, motions: [...tool, { kind: "rotate", axis: 0, joint: 2 }], knobs:
+    [...flat.knobs.slice(0, 2), { low: -3, high: 3, unit: "°" }, ...flat.knobs.slice(2)],
+                   target: { frame: 6, tip: 5, joints: 3, knobs: [3, 4] } };
+  const { q } = reach(rolled, [0, 0, 0.5, 0, 0], [1.2, 0, 0]);
+  near(frames(rolled.motions, q)[5][3], [1.2, 0, 0]);
+  assert.equal(q[2], 0.5);
+});
