@@ -9,7 +9,7 @@ import { menu, picker } from "./menu.js";
 /**
  * What the buttons do.
  * @typedef {object} Acts
- * @property {(q: number[]) => void} go
+ * @property {(q: (number | null)[]) => void} go a knob at null stays where it is
  * @property {() => void} play
  * @property {(by: number) => void} step
  * @property {(preset: string) => void} look
@@ -80,8 +80,9 @@ export class Bar {
   moves(steps) {
     const { scene, acts } = this;
     const parts = [button("Home", "Move to where it began", () => acts.go(scene.home))];
-    if (scene.poses.length) {
-      parts.push(button("Zero", "Set every joint to zero", () => acts.go(scene.zero)));
+    const { zero, poses } = scene;
+    if (zero && poses.length) {
+      parts.push(button("Zero", "Set every joint to zero", () => acts.go(zero)));
     }
     if (steps) parts.push(this.step(-1), this.player(), this.step(1));
     return group("Move", ...parts);

@@ -29,13 +29,14 @@ const MOVE = 700, TOUR = 900;                       // ms from pose to pose
 const HEARD = 400;                                  // ms: a screen reader need not hear every step
 
 /**
- * What to say of joints that stand at a limit.
+ * What to say of joints that stand at a limit. The ends of a range that a hand sets, a last stage,
+ * a lock and how far a joint has swept its range are no limits.
  * @param {Knob[]} knobs
  * @param {number[]} q
  */
 function limits(knobs, q) {
-  return knobs.flatMap(({ label, suffix, scale, low, high, whole, digits }, i) => {
-    if (whole || low === high) return [];           // a last stage and a lock are no limits
+  return knobs.flatMap(({ label, suffix, scale, low, high, whole, pair, unit, digits }, i) => {
+    if (whole || pair || unit === "%" || low === high) return [];
     const slack = 1e-6 * (high - low);
     if (q[i] > low + slack && q[i] < high - slack) return [];
     const at = number(q[i] / scale, Math.max(3, digits)).replace(/\.?0+$/, "");
@@ -164,7 +165,10 @@ class View {
       this.redraw();
     };
     return {
-      go: (q) => mover.start(drive, [q], MOVE),
+      go: (q) => {
+        const now = drive.read();
+        mover.start(drive, [q.map((value, i) => value ?? now[i])], MOVE);
+      },
       play: () => this.play(),
       step: (by) => {                                // on from where the last one leads
         const from = mover.request ? mover.goal : this.joints.read();

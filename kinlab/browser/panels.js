@@ -5,8 +5,8 @@ import { ROTATE, roomPoint, travel } from "./frames.js";
 import { clip } from "./steps.js";
 import { dot, minus, norm } from "./vectors.js";
 
-/** @import { Amount, Elementary, Entry, Frame, Part, Pose, Scene, Solved } from "./types.js" */
-/** @import { TargetScene, Vector, Volume } from "./types.js" */
+/** @import { Amount, Distance, Elementary, Entry, Frame, Part, Pose, Scene } from "./types.js" */
+/** @import { Solved, TargetScene, Vector, Volume } from "./types.js" */
 
 /**
  * What explains a column where it stands, if that is one word.
@@ -84,6 +84,9 @@ export function readingLines({ readings, decimals, motions }) {
       .map((axis) => number(scale * dot(axis, arrow), decimals));
     return size > 1 ? `(${parts.join(", ")})` : parts[0];
   };
+  /** @type {(part: Distance, all: Frame[]) => string} */
+  const distance = ({ tail, head }, all) =>
+    number(norm(minus(roomPoint(all, head), roomPoint(all, tail))), decimals);
   /** @type {(part: Amount, all: Frame[], q: number[]) => string} */
   const amount = ({ step }, all, q) => {
     const motion = /** @type {Elementary} */ (motions[step - 1]), way = travel(motion, q);
@@ -96,7 +99,7 @@ export function readingLines({ readings, decimals, motions }) {
   const entry = ({ knob, texts }, all, q) =>
     texts[clip(Math.round(q[knob]), 0, texts.length - 1)];
   /** @type {Record<Part["kind"], (part: any, all: Frame[], q: number[]) => string>} */
-  const readers = { vector, amount, volume, entry };
+  const readers = { vector, distance, amount, volume, entry };
   /** @type {(all: Frame[], q: number[]) => string[]} */
   const read = (all, q) => spans.map(([, part]) => readers[part.kind](part, all, q));
   const entries = spans.map(([span]) => span);

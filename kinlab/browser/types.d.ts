@@ -102,10 +102,11 @@ export interface Vector {
   size: number;
   scale: number;
 }
+export interface Distance { kind: "distance"; tail: Point; head: Point }
 export interface Amount { kind: "amount"; step: number }
 export interface Volume { kind: "volume"; ellipsoid: number; size: number; scale: number }
 export interface Entry { kind: "entry"; knob: number; texts: string[] }
-export type Part = Vector | Amount | Volume | Entry;
+export type Part = Vector | Distance | Amount | Volume | Entry;
 
 /** A formula under the picture, with a {} in its text for each part. */
 export interface Reading {
@@ -183,7 +184,7 @@ export interface ChartScene {
 }
 
 /** A curve on the picture: gone, still to come, and markers on the steps that are gone (px). */
-export interface Track { gone: number[][]; rest: number[][]; markers: number[][] }
+export interface Track { gone: number[][]; markers: number[][] }
 
 /** A chart laid out on a picture, in px. */
 export interface Plot {
@@ -216,7 +217,8 @@ export interface Scene {
   target: Target | Nothing;
   handles: Handle[];
   home: number[];
-  zero: number[];
+  /** Where Zero moves the knobs; one that is no joint stays. */
+  zero: (number | null)[] | Nothing;
   poses: number[][];
   floor: Floor | Nothing;
   fit: Fit | Nothing;

@@ -44,6 +44,19 @@ class Vector(_Part):
 
 
 @dataclass(frozen=True)
+class Distance(_Part):
+    """How far one point is from another; never negative."""
+
+    kind = "distance"
+    tail: Point
+    head: Point
+
+    def read(self, motions: Sequence, frames: np.ndarray, q: Numbers) -> np.ndarray:
+        tail, head = ((frames[k] @ (*local, 1.0))[:3] for k, *local in (self.tail, self.head))
+        return np.array([np.linalg.norm(head - tail)])
+
+
+@dataclass(frozen=True)
 class Amount(_Part):
     """How far motion number `step` goes: a length, or an angle in degrees."""
 
@@ -81,13 +94,16 @@ class Entry(_Part):
         return self.texts[min(max(round(q[self.knob]), 0), len(self.texts) - 1)]
 
 
+Part = Vector | Distance | Amount | Volume | Entry
+
+
 @dataclass(frozen=True)
 class Reading:
     """A formula under the picture: text with a ``{}`` for each part."""
 
     name: str
     text: str
-    parts: tuple[Vector | Amount | Volume | Entry, ...]
+    parts: tuple[Part, ...]
 
     def data(self) -> dict:
         """Plain data for the browser."""

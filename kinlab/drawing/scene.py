@@ -258,6 +258,7 @@ class Scene:
     switches: tuple[Switch, ...] = ()
     pose: PoseTable | None = None
     poses: tuple[tuple[float, ...], ...] = () # that Play moves between
+    joints: tuple[int, ...] | None = None     # knobs that Zero sets; all of them if left out
     target: Target | None = None
     handles: tuple[Handle, ...] = ()          # points that a hand may drag
     decimals: int | None = None               # of formulas; what fits the size if left out
@@ -314,6 +315,12 @@ class Scene:
         return dict.fromkeys(["amber", *(item.style for item in self.items),
                               *(curve.style for curve in curves)])
 
+    def _zero(self) -> list[float | None] | None:
+        """Where Zero moves the knobs; None for those that stay, or for all of them."""
+        joints = range(len(self.knobs)) if self.joints is None else self.joints
+        moved = [knob.within(0.0) if k in joints else None for k, knob in enumerate(self.knobs)]
+        return moved if len(joints) else None
+
     def data(self) -> dict:
         """The scene as plain data for the browser."""
         plain = ("name", "tip", "center", "radius", "scale", "size", "presets", "focus", "wide",
@@ -325,7 +332,7 @@ class Scene:
             "readings": [reading.data() for reading in self.readings],
             "preset": self.seen_from,
             "knobs": [knob.data() for knob in self.knobs],
-            "home": self.begin, "zero": [knob.within(0.0) for knob in self.knobs],
+            "home": self.begin, "zero": self._zero(),
             "layers": [asdict(switch) for switch in self.switches],
             "pose": self.pose and self.pose.data(),
             "target": self.target and asdict(self.target),

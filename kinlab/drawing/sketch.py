@@ -27,7 +27,7 @@ from .bodies import HALF, PLATE, SKIN, TAPER, THIN
 from .controls import Handle, Knob, PoseTable, Switch, Target, subscript
 from .curves import corners
 from .paints import PAINTS
-from .readings import Amount, Entry, Point, Reading, Vector, Volume
+from .readings import Part, Point, Reading, Vector
 from .scene import (
     ARROW,
     AXIS,
@@ -102,6 +102,7 @@ class Sketch:
         self.switches: list[Switch] = []
         self.pose: PoseTable | None = None
         self.poses: list[list[float]] = []
+        self.joints: tuple[int, ...] | None = None  # knobs that Zero sets; all if left out
         self.target: Target | None = None
         self.handles: list[Handle] = []
         self.decimals: int | None = None
@@ -295,7 +296,7 @@ class Sketch:
         """The way of a frame's origin, once it is switched on."""
         self.add("trace", TRACE, "trace", at(frame, (0, 0, 0)), layer="trace", part="trace")
 
-    def reading(self, name: str, text: str, *parts: Vector | Amount | Volume | Entry) -> None:
+    def reading(self, name: str, text: str, *parts: Part) -> None:
         """A formula under the picture, with a ``{}`` for each part."""
         self.readings.append(Reading(name, text, parts))
 
@@ -307,7 +308,7 @@ class Sketch:
             focus=self.focus, presets=dict(self.presets),
             knobs=tuple(self.knobs), start=tuple(self.start) or None,
             switches=tuple(self.switches), pose=self.pose, target=self.target,
-            poses=tuple(tuple(map(float, pose)) for pose in self.poses),
+            poses=tuple(tuple(map(float, pose)) for pose in self.poses), joints=self.joints,
             readings=tuple(self.readings), decimals=self.decimals,
             floor=self.floor, fit=self.fit, handles=tuple(self.handles))
         return replace(scene, fit=self._fitting(scene)) if self.follows else scene

@@ -32,11 +32,18 @@ def test_the_circles_are_those_of_the_stretched_and_the_folded_arm(l1, l2):
         close(np.linalg.norm(circle, axis=1), radius, atol=1e-12)
         close(circle[0], circle[-1], atol=1e-12)
     close(view.readings["stretched"][0], [l1 + l2])
-    close(view.readings["folded"][0], [l1 - l2])
+    close(view.readings["folded"][0], [abs(l1 - l2)])
     t1, t2 = np.radians([50, -70])
     close(view.readings["p"][0], tip(t1, t2, l1, l2))
     close(view.readings["p_1"][0], tip(0, t2, l1, l2))
     close(places(view, "reach"), [[0, 0], tip(t1, t2, l1, l2)], atol=1e-12)
+
+
+def test_zero_moves_joints_and_leaves_lengths_and_limits():
+    assert lesson.ring_view().scene["zero"] == [0, 0, None, None]
+    assert lesson.limits_view().scene["zero"] is None
+    assert kl.solve_view(kl.robots.two_link(), [0.5, 1, 0]).scene["zero"] is None
+    assert kl.ArmView(kl.robots.alpha_ii()).scene["zero"] == [0] * 5
 
 
 def test_the_sweep_goes_all_over_the_ring():

@@ -8,6 +8,7 @@ import numpy as np
 
 from ...arms.motions import ROTATE, TRANSLATE, X, Z
 from ...drawing.controls import Knob, Switch, subscript
+from ...drawing.readings import Distance
 from ...drawing.scene import PATCH, SWEEP, at, origin_of
 from ...drawing.sketch import Sketch
 from ...views.live import LiveView
@@ -24,6 +25,7 @@ def ring_view() -> LiveView:
     t1, t2 = sketch.theta(1, 35), sketch.theta(2, 60)
     l1, l2 = (sketch.knob(Knob.length(f"l_{k}", f"l{subscript(k)}", 0.2, 1.05, home, "m"))
               for k, home in ((1, L1), (2, L2)))
+    sketch.joints = (t1, t2)
     _ring(sketch, l1, l2)
     first = sketch.move(ROTATE, Z, 0, t1, 0)
     straight = sketch.move(TRANSLATE, X, 0, l1)
@@ -56,6 +58,7 @@ def limits_view(theta_1: tuple[float, float] = (-20, 130),
     sketch = Sketch("Two links with joint limits", 1.8, unit="m", grid=0.5)
     sketch.follows = True
     ends = ((-180, 0, 0, 180), (-180, 50, 60, 180))
+    sketch.joints = ()
     limits = [_limits(sketch, k, *pair) for k, pair in enumerate(zip((theta_1, theta_2), ends), 1)]
     sweeps = [sketch.knob(Knob(f"s_{k}", f"s{subscript(k)}", 0, 1, home, "%", 0.01, 1.0,
                                f"how far joint {k} is from its lowest to its highest value"))
@@ -114,12 +117,12 @@ def _ring(sketch: Sketch, l1: int, l2: int) -> None:
 
 
 def _circle_names(sketch: Sketch, l1: int, l2: int) -> None:
-    """The radii of both circles under the picture, each measured along x."""
+    """The radii of both circles under the picture."""
     for name, text, gain in (("stretched", "stretched: l₁ + l₂ = {} m", 1),
-                             ("folded", "folded: l₁ − l₂ = {} m", -1)):
+                             ("folded", "folded: |l₁ − l₂| = {} m", -1)):
         sketch.move(TRANSLATE, X, 0, l1, 0)
         end = sketch.move(TRANSLATE, X, 0, l2, gain=gain)
-        sketch.reading(name, text, replace(sketch.vector(0, end), size=1))
+        sketch.reading(name, text, Distance(origin_of(0), origin_of(end)))
 
 
 def _sweeps() -> list[list[float]]:
