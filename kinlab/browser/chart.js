@@ -33,7 +33,8 @@ const powerOfTen = (power) =>
   `10${[...String(power)].map((digit) => "⁰¹²³⁴⁵⁶⁷⁸⁹"[Number(digit)] ?? "⁻").join("")}`;
 
 /**
- * A curve, gone as far as `place`: what is gone, what is to come, and a marker on some steps.
+ * A curve, gone as far as `place`, with a marker on some steps. What comes is not shown: which
+ * of two curves falls faster is for the student to find out.
  * @param {number[][]} points
  * @param {number} place
  * @param {number} every
@@ -42,8 +43,7 @@ const powerOfTen = (power) =>
 function curveTrack(points, place, every) {
   const at = clip(place, 0, points.length - 1), k = Math.floor(at), gone = points.slice(0, k + 1);
   if (at > k) gone.push(points[k].map((e, i) => e + (at - k) * (points[k + 1][i] - e)));
-  return { gone, rest: [gone[gone.length - 1], ...points.slice(k + 1)],
-           markers: points.slice(0, k + 1).filter((_, j) => j % every === 0) };
+  return { gone, markers: points.slice(0, k + 1).filter((_, j) => j % every === 0) };
 }
 
 /**
@@ -142,8 +142,7 @@ export class Chart {
     this.frame = drawn("g", { "data-part": "axes" });
     this.curves = chart.curves.map(({ name, style, marker }) => {
       const line = { ...paints[style], fill: "none", words: "" }, { stroke } = paints[style];
-      const paths = { rest: drawn("path", { ...line, "data-part": "rest" }),
-                      gone: drawn("path", { ...line, "data-part": "gone" }),
+      const paths = { gone: drawn("path", { ...line, "data-part": "gone" }),
                       sample: drawn("path", { ...line, "data-part": "sample" }),
                       markers: drawn("path", { stroke, fill: stroke, "data-part": "markers" }) };
       const group = drawn("g", { class: `kl-${style}`, "data-curve": name },
@@ -177,9 +176,8 @@ export class Chart {
     if (!this.size[0]) return;
     const plot = plotted(this.chart, this.size, q), beside = plot.box[1] - 22;
     if (!this.frame.firstChild) this.frame.replaceChildren(...chartFrame(this.chart, plot));
-    this.curves.forEach(({ rest, gone, sample, markers, marked }, k) => {
+    this.curves.forEach(({ gone, sample, markers, marked }, k) => {
       const { gone: way, ...points } = plot.tracks[k], x = plot.legend[k][0];
-      put(rest, "d", polyline(points.rest));
       put(gone, "d", polyline(way));
       put(sample, "d", polyline([[x, beside], [x + LEGEND_LINE, beside]]));
       put(markers, "d", marked([x + LEGEND_LINE / 2, beside], STEP_MARK) +

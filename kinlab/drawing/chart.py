@@ -35,7 +35,7 @@ class Curve:
 class Chart:
     """Curves over the same steps, with the titles of both axes.
 
-    Knob number `knob` says up to which step the curves are drawn; the rest is faint.
+    Knob number `knob` says up to which step the curves are drawn.
     """
 
     curves: tuple[Curve, ...]
@@ -63,13 +63,9 @@ class Chart:
 
 @dataclass(frozen=True)
 class Track:
-    """A curve on the picture: gone, still to come, and markers on the steps that are gone (px).
-
-    The first point of what is to come is the last one of what is gone: there the knob stands.
-    """
+    """A curve on the picture as far as the knob has gone, and markers on its steps (px)."""
 
     gone: tuple[Px, ...]
-    rest: tuple[Px, ...]
     markers: tuple[Px, ...]
 
 
@@ -110,8 +106,7 @@ def _track(points: Sequence[Px], at: float, every: int) -> Track:
     at = min(max(at, 0.0), len(points) - 1.0)
     k = math.floor(at)
     here = [] if at == k else [_between(points[k], points[k + 1], at - k)]
-    gone = (*points[:k + 1], *here)
-    return Track(gone, (gone[-1], *points[k + 1:]), tuple(points[:k + 1:every]))
+    return Track((*points[:k + 1], *here), tuple(points[:k + 1:every]))
 
 
 def _legend(curves: Sequence[Curve], right: float) -> tuple[tuple[float, str], ...]:

@@ -13,7 +13,6 @@ from .still import Drawn, Mark
 
 HEIGHT = 260.0                      # px of a chart under a picture
 _SMALL, _LARGE = 2.4, 4.6           # px: half a marker of the steps, and of this one
-_REST = 0.3                         # how strong what is still to come is drawn
 _GRID = pen(FAINT, 0.8)
 _ROUND = np.exp(1j * np.linspace(0, 2 * np.pi, 16, endpoint=False))
 _MARKERS = {"dot": np.stack([_ROUND.real, _ROUND.imag], axis=-1),
@@ -53,9 +52,8 @@ def _words(text: str, x: float, y: float, side: str, colour: str = INK) -> Mark:
 
 
 def _curve(curve: Curve, track: Track) -> list[Mark]:
-    """What is gone, what is to come, and the markers."""
-    line = PAINTS[curve.style]
-    return [Mark([np.array(track.rest)], line, opacity=_REST), Mark([np.array(track.gone)], line),
+    """The curve as far as it has gone, and the markers."""
+    return [Mark([np.array(track.gone)], PAINTS[curve.style]),
             *_marked(curve, track.markers, _SMALL), *_marked(curve, track.gone[-1:], _LARGE)]
 
 

@@ -85,7 +85,6 @@ PAINTS: dict[str, Paint] = {
     "cloud": pen("#3f7ca8", 2.8),
     "section": pen("#0b5c8f", 2, fill="#56b4e92e"),        # what is reached in a plane
     "hole": pen("#0b5c8f", 1.4, fill="#ffffff"),
-    "faint": pen("#dcbccc", 1.2),                          # a way still to go
     "ghost": pen(FAINT, 6),
     "axis": pen(INK, 1, dash=(6, 3, 1.5, 3)),
     "dashed": pen(STEEL, 1.4, dash=(5.6, 4.2)),

@@ -31,9 +31,6 @@ class Tried(Protocol):
     @property
     def error(self) -> float: ...
 
-    @property
-    def condition(self) -> float: ...
-
 
 def solve_scene(arm: Arm, goal: np.ndarray, trails: Mapping[str, Sequence[Tried]]) -> Scene:
     """The arm twice, on its way to a point by two methods, and the error of each step.
@@ -48,6 +45,7 @@ def solve_scene(arm: Arm, goal: np.ndarray, trails: Mapping[str, Sequence[Tried]
     sketch.knob(Knob("step", "step", 0.0, float(max(last, 1)), title="step of the solve",
                      whole=True))
     sketch.poses = [[float(k)] for k in range(last + 1)]
+    sketch.joints = ()
     return sketch.framed()
 
 
@@ -106,10 +104,8 @@ class _Solves(Sketch):
         return np.array([places.min(axis=0) - edge, places.max(axis=0) + edge])
 
     def _way(self, method: str, root: int, places: np.ndarray) -> None:
-        """The tool's way: faint as a whole, strong up to the step."""
-        ends = at(root, *places)
-        self.add(f"{method}-rest", LINE, "faint", ends, body=-1, part="trace")
-        self.add(f"{method}-path", WAY, "trace", ends, lift=2 * self.reach, size=(0,),
+        """The tool's way up to the step."""
+        self.add(f"{method}-path", WAY, "trace", at(root, *places), lift=2 * self.reach, size=(0,),
                  part="trace")
 
     def _target(self, method: str, root: int) -> None:
@@ -130,7 +126,5 @@ class _Solves(Sketch):
         """The curve of the errors, and what is said of them at each step."""
         errors = [self.reach * step.error for step in trail]
         self.curves.append(Curve(method, _STYLES[k], _MARKERS[k], tuple(errors)))
-        self.reading(method, f"{method}: error {{}} {self.unit}, condition number {{}}",
-                     Entry(0, tuple(f"{error:.3g}" for error in errors)),
-                     Entry(0, tuple("∞" if np.isinf(step.condition) else f"{step.condition:.3g}"
-                                    for step in trail)))
+        self.reading(method, f"{method}: error {{}} {self.unit}",
+                     Entry(0, tuple(f"{error:.3g}" for error in errors)))

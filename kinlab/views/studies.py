@@ -113,8 +113,8 @@ def solve_view(arm: Arm, target: Any, q0: Any = None, *, weights: Any = None,
                limits: str = "keep") -> LiveView:
     """Two methods on the way from one start to one target: scrub through their steps.
 
-    The picture shows the arms at the step, with the way of the tool so far, and faintly the rest;
-    the chart beside it the error of each step, in powers of ten. Errors are in the arm's unit; for
+    The picture shows the arms at the step, with the way of the tool so far; the chart beside it the
+    error of each step so far, in powers of ten. Errors are in the arm's unit; for
     a whole pose a turn counts as the way that it makes at the arm's reach. Each method begins at
     `q0` and is not started again.
 
@@ -136,7 +136,7 @@ def solve_view(arm: Arm, target: Any, q0: Any = None, *, weights: Any = None,
     Returns
     -------
     LiveView
-        Its knob is "step", its readings are named by the methods: error and condition number.
+        Its knob is "step", its readings are named by the methods: the errors at this step.
 
     Raises
     ------

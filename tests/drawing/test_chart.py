@@ -33,7 +33,6 @@ def test_a_curve_by_hand():
     assert laid.across == ((48, "0"), (148, "1"), (248, "2"))
     (track,) = laid.tracks
     close(track.gone, [(48, 34), (148, 114), (198, 154)])
-    close(track.rest, [(198, 154), (248, 194)])
     close(track.markers, [(48, 34), (148, 114)])
 
 
@@ -41,7 +40,7 @@ def test_a_shorter_curve_stops_at_its_end_and_zero_lies_at_the_bottom():
     laid = plot(chart([1, 0.1, 0], [1, 1, 1, 1, 1]), SIZE, [4.0])
     (ended, whole), bottom = laid.tracks, laid.box[3]
     close(ended.gone[-1], (48 + 2 / 4 * 200, bottom))
-    assert len(ended.rest) == len(whole.rest) == 1 and len(ended.gone) == 3
+    assert len(ended.gone) == 3
     close(whole.gone[-1], (248, 34))
 
 
@@ -51,10 +50,9 @@ def test_it_stays_in_its_frame(values, step, width, height):
     laid = plot(chart(values), (width, height), [step])
     left, top, right, bottom = laid.box
     places = [place for track in laid.tracks
-              for place in (*track.gone, *track.rest, *track.markers)]
+              for place in (*track.gone, *track.markers)]
     for x, y in places:
         assert left - 1e-6 <= x <= right + 1e-6 and top - 1e-6 <= y <= bottom + 1e-6
-    assert laid.tracks[0].gone[-1] == laid.tracks[0].rest[0]
     for ticks, least in ((laid.across, 34), (laid.up, 24)):
         assert all(np.diff([place for place, _ in ticks]) >= least - 1e-6)
 
@@ -78,9 +76,7 @@ def test_the_still_picture_has_the_same_points():
     told, q = chart([100, 1, 0.01], [100, 50, 20]), [0.5]
     frame, *curves = chart_marks(told, q, (580.0, 520.0))
     for drawn, track in zip(curves, plot(told, (580.0, HEIGHT), q).tracks):
-        rest, gone = drawn.marks[:2]
-        close(rest.lines[0], np.array(track.rest) + [0, 520])
+        gone = drawn.marks[0]
         close(gone.lines[0], np.array(track.gone) + [0, 520])
-        assert rest.opacity < gone.opacity == 1
     said = [mark.text for mark in frame.marks if mark.text]
     assert {"error (m)", "step", "10⁰", "0", "2"} <= set(said)

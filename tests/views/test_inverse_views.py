@@ -127,7 +127,7 @@ def test_the_arms_stand_at_the_steps_of_their_solves(robot):
 def test_a_singular_start_shows_as_such():
     """theta2 = 0: Newton's Jacobian cannot be inverted, so it has no first step to show."""
     view = kl.solve_view(kl.robots.two_link(), [0.5, 1, 0], q0=[0, 0])
-    assert view.readings["newton"][1] == "∞"
+    assert len(set(view._scene.chart.curves[0].values)) == 1
     view["step"].value = view["step"].max
     assert float(view.readings["damped"][0]) < 1e-5
 
@@ -144,7 +144,7 @@ def test_the_chart_holds_the_errors_in_the_unit_of_the_arm():
         missed = [np.linalg.norm(kl.forward_kinematics(arm, step.q)[:3, 3] - target)
                   for step in trail]
         close(curve.values, missed, rtol=1e-6, atol=1e-12)
-    assert "newton: error 1.33 m, condition number" in repr(view)
+    assert "newton: error 1.33 m\n" in repr(view)
 
 
 def test_the_way_is_drawn_as_far_as_the_step():
@@ -153,11 +153,9 @@ def test_the_way_is_drawn_as_far_as_the_step():
     items = {item.gid: item for item in scene.items}
     for step in (0, 1, 2.5, 4):
         q, frames = [step], scene.frames([step])
-        way, rest = (corners(items[f"damped-{name}"], scene.motions, frames, q)
-                     for name in ("path", "rest"))
+        way = corners(items["damped-path"], scene.motions, frames, q)
         assert len(way) == 1 + np.ceil(step)
-        close(way[:int(step) + 1], rest[:int(step) + 1])
-        assert len(rest) == len(scene.chart.curves[1].values)
+    assert not any(name.endswith("rest") for name in items)  # what comes is not given away
 
 
 @course
