@@ -121,10 +121,15 @@ def _name(cell: Deviation, wrong: Wrong) -> str:
 def _start(cell: Deviation, wrong: Wrong) -> str:
     """Joint, parameter and its value, named as in the student's own table."""
     row = own_row(cell.row, cell.parameter, wrong.answer.convention)
-    joint, name = _joint(row, wrong), _name(cell, wrong)
-    own = name == f"{cell.parameter}{joint.split()[1]}"
-    where = name + f" (in row {row + wrong.first})" * (not own)
-    return f"{joint}: the {WORDS[cell.parameter]} {where} is {_shown(cell)[0]}"
+    return (f"{_joint(row, wrong)}: the {WORDS[cell.parameter]} {_where(cell, wrong)} is "
+            f"{_shown(cell)[0]}")
+
+
+def _where(cell: Deviation, wrong: Wrong) -> str:
+    """The number's name, with its row where the name does not say it."""
+    row, name = own_row(cell.row, cell.parameter, wrong.answer.convention), _name(cell, wrong)
+    own = name == f"{cell.parameter}{_joint(row, wrong).split()[1]}"
+    return name + f" (in row {row + wrong.first})" * (not own)
 
 
 def _joint(row: int, wrong: Wrong) -> str:
@@ -190,7 +195,7 @@ def _zero(cell: Deviation, wrong: Wrong) -> str:
 def _stance(cell: Deviation, wrong: Wrong) -> str:
     """A number that only the zero position or the tool tells."""
     got, expected = _shown(cell)
-    the = f"he {WORDS[cell.parameter]} {_name(cell, wrong)}"
+    the = f"he {WORDS[cell.parameter]} {_where(cell, wrong)}"
     if _opposite(cell) and cell.row < wrong.answer.rows[-1]:
         return f"{_STANCE}. T{the} should be {expected}: its sign is wrong."
     where = _TOOL if cell.row >= wrong.answer.rows[-1] else _STANCE

@@ -41,7 +41,8 @@ def table(reference: Arm, *, ends: bool = False, strict: bool = False, slips: Sl
         As in `same_mechanism`: also ask for the zero position and the tool frame.
     slips : sequence of (message, wrong arm)
         One with the answer's own numbers is named alone; one that is the same as the answer,
-        other frames aside, is named behind what the examiner says.
+        other frames aside, is named behind what the examiner says. A slip speaks of cells, so
+        the answer must be wrong in those cells too.
     praise : str
     """
     def judge(answer: Any) -> Verdict:
@@ -49,6 +50,9 @@ def table(reference: Arm, *, ends: bool = False, strict: bool = False, slips: Sl
             return Verdict(BLANK, "Replace the ... by kl.Arm([kl.revolute(...), ...]).")
         if not isinstance(answer, Arm):
             return Verdict(NOT_YET, "Expected an arm, made with kl.Arm([kl.revolute(...), ...]).")
+        if _ready_made(answer, reference):
+            return Verdict(NOT_YET, "This is the arm that kinlab has ready. Write its rows yourself: "
+                                    "kl.Arm([kl.revolute(...), ...]).")
         return examined(answer, reference, ends=ends, strict=strict, slips=slips, praise=praise)
     return judge
 
@@ -62,7 +66,8 @@ def examined(answer: Arm, reference: Arm, *, ends: bool, strict: bool = False, s
     else:
         said = first_of(slips, lambda wrong: _same_numbers(answer, wrong)) or [
             verdict.message,
-            *first_of(slips, lambda wrong: _compared(answer, wrong, ends, strict).ok)]
+            *first_of(slips, lambda wrong: _shares_cells(answer, wrong, reference)
+                      and _compared(answer, wrong, ends, strict).ok)]
     return replace(verdict, message=" ".join(said))
 
 
@@ -85,14 +90,40 @@ def with_columns(arm: Arm, **columns: Numbers) -> Arm:
         for i, link in enumerate(arm.links)))
 
 
+def _ready_made(answer: Arm, reference: Arm) -> bool:
+    """Whether it is the reference itself, in either convention: name, home and limits tell."""
+    def marks(arm: Arm) -> list:
+        return [arm.name, arm.home.tolist(), [joint.limits for joint in arm.joints]]
+    return (bool(reference.name) and marks(answer) == marks(reference)
+            and _same_numbers(to_standard(answer), to_standard(reference)))
+
+
 def _same_numbers(answer: Arm, wrong: Arm) -> bool:
-    (kind, numbers), (other_kind, others) = _described(answer), _described(wrong)
-    return kind == other_kind and np.allclose(numbers, others)
+    return _alike(answer, wrong) and not _differing(answer, wrong).any()
 
 
-def _described(arm: Arm) -> tuple[list[str], list[float]]:
-    rows = [(link.theta, link.d, link.a, link.alpha) for link in arm.links]
-    return [arm.convention, *(link.kind for link in arm.links)], [*np.ravel(rows), *arm.tool.flat]
+def _shares_cells(answer: Arm, wrong: Arm, reference: Arm) -> bool:
+    """Whether the answer's own cells are wrong wherever a slip's are."""
+    return _alike(answer, wrong) and not np.any(
+        _differing(wrong, reference) & ~_differing(answer, reference))
+
+
+def _alike(answer: Arm, other: Arm) -> bool:
+    """Whether cells of two tables can be compared one by one."""
+    kinds, others = ([link.kind for link in arm.links] for arm in (answer, other))
+    return answer.convention == other.convention and kinds == others
+
+
+def _differing(answer: Arm, other: Arm) -> np.ndarray:
+    """Which numbers differ in two tables of one form: theta, d, a, alpha of the rows, the tool."""
+    mine, theirs = _described(answer), _described(other)
+    return ~np.isclose(mine, theirs)
+
+
+def _described(arm: Arm) -> np.ndarray:
+    """All numbers of a table; angles as points of a circle, for a full turn changes nothing."""
+    turns = [np.exp(1j * column(arm, name)) for name in ("theta", "alpha")]
+    return np.concatenate([*turns, column(arm, "d"), column(arm, "a"), arm.tool.ravel()])
 
 
 def _compared(answer: Arm, reference: Arm, ends: bool, strict: bool) -> Verdict:

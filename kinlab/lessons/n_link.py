@@ -168,6 +168,15 @@ _SIX_SLIPS = [
      _six(tool=np.eye(4) + np.outer([1, 0, 0, 0], [0, 0, 0, 1]))),
     ("The sign of d in row 2 is wrong: the table says -d2.", _six(d=np.abs(_D))),
     ("The signs of alpha in rows 2, 4, 5, 6 are all turned round.", _six(alpha=-_ALPHA)),
+    ("a2 = 0.5 stands in row 2. It belongs in row 3: row i of a modified table holds a_(i-1).",
+     _six(a=np.roll(_A, -1))),
+    ("a2 = 0.5 stands in row 4. It belongs in row 3: row i of a modified table holds a_(i-1).",
+     _six(a=np.roll(_A, 1))),
+    ("a and d have changed places: a is a slide along x, d is one along z.", _six(a=_D, d=_A)),
+    ("d6 = 1 is counted twice: in row 6, and in the tool. The practical's table leaves d of row 6 "
+     "at 0.", _six(d=_D + [0, 0, 0, 0, 0, 1])),
+    ("The tool points backwards: it lies along +z6.", _six(tool=np.eye(4) - np.outer(
+        [0, 0, 1, 0], [0, 0, 0, 1]))),
     ("alpha and a stand one row too high: row i of a modified table holds those of i-1.",
      _six(alpha=np.roll(_ALPHA, -1), a=np.roll(_A, -1))),
     ("The values in brackets are the given joint angles. They are q, not offsets in the table.",

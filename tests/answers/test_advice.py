@@ -77,10 +77,10 @@ def test_the_strict_words_ask_for_the_same_number_before_and_after():
 
 
 def test_the_exercise_gives_the_same_advice():
-    bad = row(row(SIX_LINK, 2, a=0.5), 3, a=0)
+    bad = row(row(replace(SIX_LINK, name="mine"), 2, a=0.4), 3, a=0)
     first = kl.exercises.check("n_link.3", bad)
-    assert first.message == "Joint 2: the length a1 (in row 2) is 0.5; it should be 0."
-    assert (first.fault.value, first.fault.expected) == (0.5, 0)
+    assert first.message == "Joint 2: the length a1 (in row 2) is 0.4; it should be 0."
+    assert (first.fault.value, first.fault.expected) == (0.4, 0)
     second = kl.exercises.check("n_link.3", row(bad, 2, a=0))
     assert second.message == "Joint 3: the length a2 (in row 3) is 0; it should be 0.5."
     assert kl.exercises.check("n_link.3", row(row(bad, 2, a=0), 3, a=0.5)).ok

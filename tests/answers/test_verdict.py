@@ -73,9 +73,9 @@ def test_a_length_of_the_wrong_sign_is_in_the_row_where_the_answer_holds_it():
     drawn = kl.Arm([R(alpha=-RIGHT), R(theta=RIGHT, a=0.5, alpha=-RIGHT), R(theta=RIGHT)])
     modified = kl.Arm([R(), R(theta=RIGHT, alpha=-RIGHT), R(theta=RIGHT, a=-0.5, alpha=-RIGHT)],
                       convention="modified")
-    for answer, held_in in ((row(drawn, 2, a=-0.5), 2), (modified, 3)):
+    for answer, held_in, name in ((row(drawn, 2, a=-0.5), 2, "a2"), (modified, 3, "a2 (in row 3)")):
         verdict = kl.same_mechanism(answer, drawn, strict=True)
-        assert "The length a2 should be 0.5: its sign is wrong." in verdict.message
+        assert f"The length {name} should be 0.5: its sign is wrong." in verdict.message
         assert verdict.fault == Fault(held_in, "a")
 
 
