@@ -1,4 +1,4 @@
-"""Lesson 07, the Alpha II: its exercises' references, typical slips, and the words for them."""
+"""Lesson 07, the Alpha II: its views, its exercises' references and typical slips."""
 from __future__ import annotations
 
 from functools import partial
@@ -17,6 +17,11 @@ from ..answers.conditions import (
 from ..answers.judges import Judge, Slip, choices, expressions, function
 from ..answers.matrices import link_matrix, matrix_entry
 from ..arms import kinematics, robots
+from .asked.alpha_ii import PREDICTIONS
+from .views.four_motions import four_motions
+from .views.reach import reach_view as workspace_view
+
+__all__ = ["JUDGES", "PREDICTIONS", "four_motions", "workspace_view"]
 
 # ---- Exercise 1: the link transform -------------------------------------------------
 

@@ -16,9 +16,12 @@ from ..answers.table_judge import column, table, with_columns
 from ..answers.verdict import Verdict
 from ..arms import euler, kinematics, robots
 from ..arms.arm import Arm
-from .views.n_link import both_conventions, misread, zyz_view
+from .asked.n_link import PREDICTIONS
+from .views.four_motions import four_motions
+from .views.n_link import both_conventions, flat_view, misread, six_view, zyz_view
 
-__all__ = ["JUDGES", "both_conventions", "misread", "zyz_view"]
+__all__ = ["JUDGES", "PREDICTIONS", "both_conventions", "flat_view", "four_motions", "misread",
+           "six_view", "zyz_view"]
 
 # ---- Exercise 1: the link matrix ------------------------------------------------------
 

@@ -1,4 +1,4 @@
-"""Views of Practical 3: one arm, one table and two DH conventions; the three ZYZ angles."""
+"""Views of Practical 3: its arms, a cube pressed flat, two conventions, the three ZYZ angles."""
 from __future__ import annotations
 
 from collections.abc import Collection
@@ -8,14 +8,72 @@ from typing import Any
 
 import numpy as np
 
+from ...arms import robots
 from ...arms.arm import Arm, to_modified, to_standard
 from ...arms.joints import joint_array
-from ...arms.motions import ROTATE, Y, Z
+from ...arms.link import revolute
+from ...arms.motions import ROTATE, TRANSLATE, Y, Z
+from ...arms.transforms import translation
 from ...drawing.arm_scene import arm_scene, link_ends
 from ...drawing.controls import Knob, PoseTable, subscript
-from ...drawing.scene import at, origin_of
+from ...drawing.readings import Amount
+from ...drawing.scene import AREA, Item, at, origin_of
 from ...drawing.sketch import Sketch
+from ...views.arm_view import ArmView
 from ...views.live import LiveView
+
+_PLATES = 5  # of the cube
+
+
+def two_view() -> ArmView:
+    """The practical's planar arm, both links 1 m long."""
+    return ArmView(two_link(), [radians(30), radians(45)])
+
+
+def two_link() -> Arm:
+    """Its table is modified, so the second length is the tool."""
+    return Arm([revolute(), revolute(a=1)], convention="modified",
+               tool=translation([1, 0, 0]), name="Two-link")
+
+
+def six_view(q: Any = None) -> LiveView:
+    """The practical's six-link arm with the frames 0, 3 and 6; the wrist has one frame only."""
+    arm = robots.practical_six_link()
+    start = joint_array(arm, arm.home if q is None else q).tolist()
+    sketch = Sketch.of(arm, start, show=("frames", "labels"), keep=_is_shown)
+    return LiveView(sketch.scene())
+
+
+def _is_shown(item: Item) -> bool:
+    return item.layer not in ("frames", "labels") or item.frame in ("0", "3", "6")
+
+
+def flat_view() -> LiveView:
+    """A cube, and where the printed hint takes it if the twist before is 0 and the next is not.
+
+    The hint has the cosine of the next twist where the height's own cosine should be, so all
+    heights shrink alike.
+    """
+    sketch = Sketch("A cube, and the printed link matrix", 1.2, planar=False,
+                    center=(0, 0, 0.4), grid=0.5)
+    twist = sketch.knob(Knob("alpha_i", "αᵢ", 0, 90, 0, "°", quantity="angle"))
+    theta = sketch.knob(Knob.angle("theta_i", "θᵢ"))
+    turned = sketch.move(ROTATE, Z, 0.0, theta, 0)
+    cosines = np.cos(np.radians(np.arange(91)))
+    plates = [sketch.move(TRANSLATE, Z, 0.0, twist, turned, track=tuple(height * cosines))
+              for height in np.linspace(0, 1, _PLATES)]
+    corners = ((-0.5, -0.5, 0), (0.5, -0.5, 0), (0.5, 0.5, 0), (-0.5, 0.5, 0))
+    for k, plate in enumerate(plates):
+        sketch.add(f"plate-{k}", AREA, "section", at(plate, *corners), part="region")
+    for k, corner in enumerate(corners):
+        sketch.line(f"edge-{k}", (at(plates[0], corner)[0], at(plates[-1], corner)[0]))
+    sketch.axes("0", 0, 0.9)
+    sketch.arrow("column", at(turned, (0, 0, 0))[0], at(plates[-1], (0, 0, 0))[0])
+    sketch.label("third column", at(plates[-1], (0, 0, 0), (0, 0, -1)))
+    point = sketch.point("P", plates[-1], corners[1])
+    sketch.reading("P", "corner P = {}", sketch.vector(0, point))
+    sketch.reading("det", "determinant, the volume of the cube: {}", Amount(plates[-1]))
+    return LiveView(sketch.scene())
 
 
 def both_conventions(arm: Arm, *links: int, q: Any = None) -> LiveView:

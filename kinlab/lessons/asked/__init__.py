@@ -1,0 +1,1 @@
+"""The predictions of lessons that have many, a module each."""
