@@ -29,6 +29,8 @@ VIEWS = {robot.__name__: lambda robot=robot: kl.ArmView(
     "misread": lambda: LESSONS.n_link.misread(kl.robots.practical_six_link()),
     "both conventions": lambda: LESSONS.n_link.both_conventions(kl.robots.two_link(), 1, 2),
     "zyz": LESSONS.n_link.zyz_view,
+    "pressed flat": LESSONS.n_link.flat_view,
+    "four motions": lambda: LESSONS.n_link.four_motions("modified"),
     "yaw": LESSONS.intelledex.yaw_view,
     "ring": LESSONS.workspace.ring_view,
     "limits": LESSONS.workspace.limits_view,

@@ -18,7 +18,9 @@ STANDING = {  # the room stands still in these
     "turning": rotation.riding_view, "still": rotation.still_view,
     **{axis: lambda axis=axis: rotation.spatial_view(axis) for axis in "xyz"},
     "order": homogeneous.order, "fixed": homogeneous.fixed, "rules": dh_recipe.rules_view,
-    "zyz": n_link.zyz_view, "ring": workspace.ring_view}
+    "zyz": n_link.zyz_view, "flat": n_link.flat_view,
+    **{order: lambda order=order: n_link.four_motions(order) for order in ("standard", "modified")},
+    "ring": workspace.ring_view}
 FOLLOWED = {
     "sliding": translation.sliding_view, "riding": translation.riding_view,
     "two slides": translation.chain_view,

@@ -67,7 +67,7 @@ _POSES = [
                  ((177.8, 0, 522.3), "The tool points down: θ₂ + θ₃ + θ₄ = 0.")]),
     _pose("", "The same place as without the roll: the tip lies on the axis of joint 5.",
           0, -90, 90, 0, 90,
-          slips=[((307.3, 0, 392.8), "θ₅ rolls the tool about its own line; it does not lift it.")]),
+          slips=[((307.3, 0, 392.8), "θ₅ rolls the tool about its own line, no more.")]),
 ]
 
 # ---- Directions -------------------------------------------------------------------------
@@ -75,9 +75,9 @@ _POSES = [
 
 def _carried(alpha: float, degrees: float, why: str) -> Direction:
     return Direction(
-        ask="θ = 0°, and the last of the four motions turns the frame about its x axis, which points "
-            f"towards you, by α = {alpha:g}°. Which way will its z axis point? (0° is along y₀, 90° "
-            "up.)",
+        ask="θ = 0°, and the last of the four motions turns the frame about its x axis, which "
+            f"points towards you, by α = {alpha:g}°. Which way will its z axis point? (0° is along "
+            "y₀, 90° up.)",
         why=why, start={"theta": 0, "d": 0.9, "a": 0, "alpha": alpha, "motion": 3},
         shows={"motion": 4}, of="frame-1-z", about="x", seen="side", begin=90,
         slips=[(180 - degrees, "That is a turn the other way. A positive one goes from y towards "
@@ -94,8 +94,8 @@ def _approach(why: str, *degrees: float, slips: list) -> Direction:
 
 
 _APPROACH = [
-    _approach("θ₂ + θ₃ + θ₄ grew by 45° from soft home, and positive turns lower the tool: half way "
-              "between level and down.", 0, 0, 0, -45, 0,
+    _approach("θ₂ + θ₃ + θ₄ grew by 45° from soft home, and positive turns lower the tool: half "
+              "way between level and down.", 0, 0, 0, -45, 0,
               slips=[(45, "A positive turn about z₃ lowers the tool.")]),
     _approach("The three turns add up to −120°, 30° less than at soft home: the tool rises by 30°.",
               0, -30, 0, -90, 0,
@@ -109,29 +109,29 @@ _APPROACH = [
 # ---- Matrices ---------------------------------------------------------------------------
 
 _ORDER = Choice(
-    ask="Each of the four motions goes along or about an axis of the frame that moves. On which side "
-        "of the first matrix does that of the second motion stand?",
+    ask="Each of the four motions goes along or about an axis of the frame that moves. On which "
+        "side of the first matrix does that of the second motion stand?",
     options={"on its right": "",
              "on its left": "On the left stands a motion about fixed axes.",
              "either: the product is the same": "Two such matrices need not change places."},
     right="on its right",
-    why="A motion about the moving frame's own axes multiplies on the right, so the product reads in "
-        "the order of the motions.")
+    why="A motion about the moving frame's own axes multiplies on the right, so the product reads "
+        "in the order of the motions.")
 
 _FIXED = Choice(
     ask="Someone reads the axes as fixed axes of frame k−1. A motion about a fixed axis multiplies "
         "on the left. What becomes of the product?",
     options={"the factors stand in reverse order": "",
-             "it is the inverse": "In the inverse the motions go backwards as well, by the opposite "
-                                  "amounts.",
+             "it is the inverse": "In the inverse the motions go backwards as well, by the "
+                                  "opposite amounts.",
              "it is the transpose": "Each factor stays as it is; only their order changes.",
              "it stays the same": "Turns about x and z do not change places."},
     right="the factors stand in reverse order",
     why="The last motion stands on the far left: that is the order of the modified (Craig) table.")
 
 _INVERSE = Choice(
-    ask="The lecture prints −Cα in row 3, column 3 of the inverse. In the link transform that entry is "
-        "+Cα. What must it be in the inverse?",
+    ask="The lecture prints −Cα in row 3, column 3 of the inverse. In the link transform that "
+        "entry is +Cα. What must it be in the inverse?",
     options={"+Cα": "", "−Cα": "The rotation of the inverse is the transpose: what stands on the "
                                 "diagonal stays.",
              "Sα": "The transpose moves no entry of the diagonal."},
@@ -139,8 +139,8 @@ _INVERSE = Choice(
     why="Rᵀ has the same diagonal as R.")
 
 _BRACKET = Choice(
-    ask="The first entry of the product becomes C₁ (C₂C₃ − S₂S₃). Of which angle is the bracket the "
-        "cosine?",
+    ask="The first entry of the product becomes C₁ (C₂C₃ − S₂S₃). Of which angle is the bracket "
+        "the cosine?",
     options={"θ₂ + θ₃": "", "θ₂ − θ₃": "That would be C₂C₃ + S₂S₃.",
              "θ₂ · θ₃": "Angles of turns add up; they are not multiplied."},
     right="θ₂ + θ₃",
@@ -167,8 +167,8 @@ _ROLL = Several(
     start=_at(30, -40, 60, 20, 0), shows={"theta_5": 75})
 
 _SOFT_HOME = Signs(
-    ask="Arm and tool are level and point along x₀; x₅ points up. Each column of R is an axis of the "
-        "tool, seen from the base. Fill in its signs.",
+    ask="Arm and tool are level and point along x₀; x₅ points up. Each column of R is an axis of "
+        "the tool, seen from the base. Fill in its signs.",
     rows=("x₀", "y₀", "z₀"), columns=("n", "s", "a"), right=("00+", "0-0", "+00"),
     among={"+": "1", "-": "−1", "0": "0"},
     why="a = (1, 0, 0) points forwards, n = (0, 0, 1) up, and s = a × n = (0, −1, 0) to the right.",
@@ -200,8 +200,8 @@ PREDICTIONS: dict[str, Asked] = {
     "alpha_ii.fixed": Asked(None, [_FIXED]),
     "alpha_ii.inverse": Asked(None, [_INVERSE]),
     "alpha_ii.bend": Asked(arm_view, [
-        _bend({"theta_2": 20}, "z₁ points along y₀, away from you in this picture. θ₂ goes to +20°. "
-              "Where will the tip be?",
+        _bend({"theta_2": 20}, "z₁ points along y₀, away from you in this picture. θ₂ goes to "
+              "+20°. Where will the tip be?",
               "A right-handed turn about y₀ takes x₀ downwards: the tip sinks from 215 to 49 mm.",
               [((455.8, 0, 380.9), "A positive turn about y₀ takes x₀ downwards.")]),
         _bend({"theta_3": -90}, "z₂ points along y₀, away from you. θ₃ goes to −90°: the elbow "

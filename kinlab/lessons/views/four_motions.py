@@ -20,10 +20,11 @@ def four_motions(convention: str) -> LiveView:
 
     The knob "motion" says how many are done: at 0 the frame lies on frame 0, at 4 it is frame 1.
     """
-    sketch = Sketch(f"Four motions of a link, {convention}", 1.7, planar=False, unit="m",
-                    center=(0.3, 0, 0.1), grid=0)
+    sketch = Sketch(f"Four motions of a link, {convention}", 1.8, planar=False, unit="m",
+                    center=(0.2, 0, 0.1), grid=0)
     knobs = {name: _knob(sketch, name) for name in ("theta", "d", "a", "alpha")}
-    done = sketch.knob(Knob("motion", "motion", 0, 4, step=0.1, title="motions done", whole=True))
+    done = sketch.knob(Knob("motion", "motion", 0, 4, 4, step=0.1, title="motions done",
+                              whole=True))
     frames = [0]
     for k, (kind, axis, name) in enumerate(CONVENTIONS[convention]):
         frames.append(sketch.move(kind, axis, 0.0, knobs[name], frames[-1], scrub=(done, k)))
@@ -31,9 +32,9 @@ def four_motions(convention: str) -> LiveView:
         sketch.reading(name, f"{k + 1}. {verb} {'xyz'[axis]} by {_LETTERS[name]}: "
                        f"{{}}{'°' if kind == ROTATE else ' m'}", Amount(frames[-1]))
     sketch.tip = frames[-1]
-    sketch.axes("0", 0, 0.9)
+    sketch.axes("0", 0, 1.1)
     sketch.line("path", map(origin_of, frames), "trace")
-    sketch.axes("1", sketch.tip, 0.7)
+    sketch.axes("1", sketch.tip, 0.8)
     sketch.pose = PoseTable.of_frame("The frame on its way, seen from frame 0", "1", "xyz",
                                      unit="m")
     sketch.start = [*(knob.home for knob in sketch.knobs)]
@@ -43,7 +44,7 @@ def four_motions(convention: str) -> LiveView:
 
 def _knob(sketch: Sketch, name: str) -> int:
     """A slider for one of the four numbers."""
-    home = {"theta": 40, "d": 0.9, "a": 0.8, "alpha": 60}[name]
+    home = {"theta": 40, "d": 0.9, "a": 0.8, "alpha": -60}[name]
     if name in ("theta", "alpha"):
         return sketch.knob(Knob.angle(name, _LETTERS[name], -pi, pi, radians(home)))
     return sketch.knob(Knob.length(name, name, 0.0, _LONGEST, home, "m"))
