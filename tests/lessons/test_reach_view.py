@@ -82,3 +82,11 @@ def test_the_arm_and_its_slice_move(view):
 
 def test_it_is_small(view):
     assert len(json.dumps(view.scene, ensure_ascii=False).encode()) < 50_000
+
+
+def test_a_hand_turns_the_slice_by_its_rim(view):
+    """Where the stretched arm rises by 45°; the rim is held by that knob alone."""
+    (handle,) = (handle for handle in view._scene.handles if handle.name == "slice")
+    assert [view._scene.knobs[knob].name for knob in handle.knobs] == ["slice"]
+    tip = kl.forward_kinematics(kl.robots.alpha_ii(), np.radians([0, -45, 0, -90, 0]))[:3, 3]
+    close(handle.point[1:], tip, atol=1e-9)

@@ -27,7 +27,7 @@ _SWITCHES = [Switch("cloud", "Cloud", "Points that the tool reaches", True),
 def reach_view() -> LiveView:
     """The Alpha II in a cloud of the points that it reaches, cut open by an upright plane.
 
-    The plane turns about the axis of the base by the knob "slice". The line in it is the exact
+    The plane turns about the axis of the base by the knob "slice", or by its rim. The line in it is the exact
     edge: arcs about shoulder and elbow. As long as the plane is within 30° of x, each of its
     sides is reached with one value of joint 1 only; beyond that, with two.
     """
@@ -48,6 +48,8 @@ def reach_view() -> LiveView:
     for name, both, low, high in (("front", False, -alone, alone), ("left", True, -pi, -alone),
                                   ("right", True, alone, pi)):
         _section(sketch, name, plane, edge(chain, both_sides=both), (turn, low, high))
+    rim = chain.reach / 2 ** 0.5
+    sketch.handle("slice", sketch.point("slice", plane, (rim, 0, shoulder + rim)), turn)
     sketch.reading("p", "tool: p⁰ = {} mm", sketch.vector(0, sketch.tip))
     sketch.trace(sketch.tip)
     sketch.switches, sketch.poses = list(_SWITCHES), _tour()
