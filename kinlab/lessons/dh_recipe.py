@@ -1,4 +1,4 @@
-"""Lesson 05, the DH recipe: a view of its two rules, and the judges of its exercises."""
+"""Lesson 05, the DH recipe: its views, what it asks before they move, and its judges."""
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
@@ -12,6 +12,7 @@ import numpy as np
 from ..answers.judges import Judge, choices, evaluated, expressions, first_of, is_stub, values
 from ..answers.matrices import link_matrix, matrix_place
 from ..answers.placed_frames import examine_frames
+from ..answers.prediction import Asked, Choice, Direction, Mark, Several, Signs
 from ..answers.table_judge import examined, with_columns
 from ..answers.verdict import BLANK, CORRECT, NOT_YET, Fault, Verdict
 from ..arms import robots
@@ -23,10 +24,12 @@ from ..drawing.controls import Knob, PoseTable
 from ..drawing.readings import Vector
 from ..drawing.scene import at, origin_of
 from ..drawing.sketch import Sketch
+from ..views.arm_view import ArmView
 from ..views.live import LiveView
 from ..views.studies import motions_view, parameters_view
 
-__all__ = ["JUDGES", "motions_view", "parameters_view", "rules_view"]
+__all__ = ["JUDGES", "PREDICTIONS", "motions_view", "numbers_view", "parameters_view",
+           "rules_view"]
 
 
 def rules_view() -> LiveView:
@@ -56,6 +59,281 @@ def rules_view() -> LiveView:
                    Vector(tail, head, across, 1))
     sketch.pose = PoseTable.of_frame("H, frame 1 seen from frame 0", "1", "xyz")
     return LiveView(sketch.scene())
+
+
+def numbers_view() -> LiveView:
+    """Frame 1 where the four numbers say, with a slider for each of them."""
+    sketch = Sketch("Four numbers, one frame", 1.6, center=(0, 0, 0.25), planar=False,
+                    grid=0.5)
+    sketch.follows = True
+    theta = sketch.knob(Knob.angle("theta", "θ", home=radians(40)))
+    d = sketch.knob(Knob.length("d", "d", -1.0, 1.0, 0.6))
+    a = sketch.knob(Knob.length("a", "a", -1.0, 1.0, 0.9))
+    alpha = sketch.knob(Knob.angle("alpha", "α", home=radians(30)))
+    sketch.line("z-line", at(0, (0, 0, -0.4), (0, 0, 1.2)))
+    turned = sketch.move(ROTATE, Z, 0, theta)
+    lifted = sketch.move(TRANSLATE, Z, 0, d)
+    out = sketch.move(TRANSLATE, X, 0, a)
+    frame = sketch.tip = sketch.move(ROTATE, X, 0, alpha)
+    _length(sketch, "d", turned, lifted, sketch.move(TRANSLATE, Z, 0, d, turned, gain=0.5))
+    _length(sketch, "a", lifted, out, sketch.move(TRANSLATE, X, 0, a, lifted, gain=0.5))
+    sketch.sweep("arc-theta", turned, (0.4, 0, 0), text="θ")
+    sketch.sweep("arc-alpha", frame, (0, 0, 0.4), text="α")
+    sketch.axes("0", 0, 0.5)
+    sketch.axes("1", frame, 0.5)
+    sketch.pose = PoseTable.of_frame("A₁, frame 1 seen from frame 0", "1", "xyz")
+    return LiveView(sketch.scene())
+
+
+def _length(sketch: Sketch, name: str, tail: int, head: int, middle: int) -> None:
+    """An arrow from origin to origin, with its name at the middle."""
+    sketch.arrow(name, origin_of(tail), origin_of(head), "length")
+    sketch.label(name, at(middle, (0, 0, 0), (0, 0.3, 0)), "length")
+
+
+# ---- Predictions ------------------------------------------------------------------------
+
+
+def _exam_link() -> LiveView:
+    return parameters_view(robots.exam_2018(), 2, [radians(-20), radians(-35), 0.4])
+
+
+def _exam_motions() -> LiveView:
+    return motions_view(robots.exam_2018(), 2, [0, 0, 0.4])
+
+
+def _alpha_ii() -> ArmView:
+    return ArmView(robots.alpha_ii(), np.radians([0, -40, 60, -90, 0]), show=("frames", "labels"))
+
+
+def _twist(alpha: float, theta: float, about: str, why: str, slip: tuple[float, str]) -> Direction:
+    """Which way z₁ points once α has grown from zero."""
+    ahead = "y₀" if theta else "x₀"
+    return Direction(
+        ask=f"α is 0, and x₁ points along {ahead}. z₁ points up. Now α goes to {signed(alpha)}. "
+            "Turn the arrow to where z₁ will point.",
+        why=why, of="frame-1-z", about=about, begin={"x": 90, "y": 0}[about], slips=[slip],
+        start=dict(theta=theta, alpha=0), shows=dict(alpha=alpha))
+
+
+def signed(angle: float) -> str:
+    """An angle in degrees, with a minus sign as it is printed."""
+    return f"{angle:g}°".replace("-", "−")
+
+
+_RIGHT_HAND = "Right thumb along x₁: the fingers show which way z turns."
+_TWISTS = [
+    _twist(90, 0, "x", "About x the turn goes from y to z, so z goes on to −y₀: sin α is in column "
+           "3 with a minus.", (0, _RIGHT_HAND)),
+    _twist(-90, 0, "x", "A negative α turns the other way, against the fingers of the right hand: "
+           "z₁ points along y₀.", (180, _RIGHT_HAND)),
+    _twist(90, 90, "y", "x₁ points along y₀ now, and α turns about x₁: z₁ falls to x₀.",
+           (-90, _RIGHT_HAND)),
+]
+
+_FOUR = {"θ₂": "θ₂ is the angle from x₁ to x₂ about z₁.",
+         "d₂": "d₂ is the step along z₁. Joint 2 turns, so it is fixed in the link.",
+         "a₂": "a₂ is the length of the link, and links are stiff.",
+         "α₂": "α₂ is the angle between the two joint axes of one stiff link.",
+         "none of them": "Look at joint 2 itself: one of its numbers is the joint."}
+
+
+def _which(joint: str, right: str, why: str, **shows: float) -> Choice:
+    """Which number of link 2 changes with a joint."""
+    return Choice(ask=f"You will drag {joint}. Which of the four numbers of link 2 changes?",
+                  why=why, options=_FOUR | {right: ""}, right=right, shows=shows)
+
+
+_WHICH = [
+    _which("θ₂", "θ₂", "Joint 2 turns about z₁, and θ₂ is measured about z₁.", theta_2=20),
+    _which("θ₁", "none of them", "Joint 1 carries the whole link about; its numbers belong to the "
+           "link.", theta_1=40),
+    _which("d₃", "none of them", "d₃ is a number of link 3: it stands in row 3.", d_3=0.7),
+]
+
+
+def _x_2(theta: float, why: str) -> Direction:
+    return Direction(
+        ask="θ₁ is 0, and z₁ points at you. With θ₂* = 0, x₂ points up. Turn the arrow to where "
+            f"x₂ will point when θ₂* = {signed(theta)}.",
+        why=why, of="frame-2-x", about="y", seen="front",
+        slips=[(theta, "That turns the other way: z₁ points at you, so a positive angle turns "
+                "anticlockwise.")],
+        start=dict(theta_1=0, theta_2=0), shows=dict(theta_2=theta))
+
+
+_X_2 = [_x_2(40, "From up, 40° anticlockwise: x₂ leans to the left, and θ₂ = 40° + 90° from x₁."),
+        _x_2(-60, "From up, 60° clockwise: x₂ leans to the right, and θ₂ = −60° + 90° from x₁."),
+        _x_2(90, "From up, a quarter turn anticlockwise: x₂ points to the left, and θ₂ = 180°.")]
+
+
+def _zeros(link: int, said: dict[str, str], right: tuple[str, ...], why: str, **shows: float,
+           ) -> Several:
+    """Which numbers of a link of the Alpha II are zero in every pose."""
+    return Several(
+        ask=f"Look at frames {link - 1} and {link}. Which of the four numbers of link {link} are "
+            "zero in every pose?",
+        why=why, options=said, right=right, shows=shows)
+
+
+_ZEROS = [
+    _zeros(2, {"θ₂": "It is the joint's own angle, and the joint turns.",
+               "d₂": "The line of x₂ leaves z₁ in O₁ itself.",
+               "a₂": "O₂ is 177.8 mm from z₁: that is the upper arm.",
+               "α₂": "Shoulder and elbow turn about parallel axes."},
+           ("d₂", "α₂"), "z₁ and z₂ are parallel, and x₂ was put through O₁.", theta_2=20),
+    _zeros(4, {"θ₄": "It is the joint's own angle, and the joint turns.",
+               "d₄": "O₃ and O₄ are one point.", "a₄": "O₃ and O₄ are one point.",
+               "α₄": "z₃ and z₄ are 90° apart."},
+           ("d₄", "a₄"), "O₃ and O₄ are one point, so both lengths are zero.", theta_4=-30),
+    _zeros(5, {"θ₅": "It is the joint's own angle, and the joint turns.",
+               "d₅": "O₅ is 129.5 mm along z₄: that is the tool.",
+               "a₅": "O₅ lies on z₄.", "α₅": "z₄ and z₅ point the same way."},
+           ("a₅", "α₅"), "z₄ and z₅ are one line, and O₅ is 129.5 mm along it.", theta_5=60),
+]
+
+_PARALLEL, _MEET, _NOTHING = ("They are parallel.", "They meet, or are one line.",
+                              "Nothing: it says where frame i was put.")
+
+
+def _says(ask: str, right: str, why: str, **said: str) -> Choice:
+    options = dict(zip((_PARALLEL, _MEET, _NOTHING), (
+        said.get(word, "") for word in ("parallel", "meet", "nothing"))))
+    return Choice(ask=ask, why=why, options=options, right=right)
+
+
+_SAYS = [
+    _says("In some row αᵢ = 0. What does that say about the axes zᵢ₋₁ and zᵢ?", _PARALLEL,
+          "αᵢ is the angle between the two axes.", meet="Whether they meet is a matter of aᵢ.",
+          nothing="αᵢ is the angle between the two axes: it is not free."),
+    _says("In some row dᵢ = 0. What does that say about the axes zᵢ₋₁ and zᵢ?", _NOTHING,
+          "dᵢ is the step along zᵢ₋₁ from Oᵢ₋₁ to xᵢ: it depends on where Oᵢ₋₁ was put.",
+          parallel="Between parallel axes x may be put so that d = 0; but d = 0 with any twist is "
+                   "possible, too.",
+          meet="How far apart the axes are is aᵢ, not dᵢ."),
+    _says("In some row aᵢ = 0. What does that say about the axes zᵢ₋₁ and zᵢ?", _MEET,
+          "aᵢ is the length of the common normal, the shortest way from one axis to the other.",
+          parallel="The angle between them is αᵢ, not aᵢ.",
+          nothing="aᵢ is the distance of two lines. Frames cannot change it."),
+]
+
+
+def _broken(ask: str, right: str, why: str, options: dict[str, str], tilt: float, miss: float,
+            ) -> Choice:
+    return Choice(ask=ask, why=why, options=options, right=right, shows=dict(tilt=tilt, miss=miss))
+
+
+_WHICH_RULE = {"none": "One of the two is still wrong in this frame.",
+               "only rule 1": "Rule 1 asks for a right angle between x₁ and z₀.",
+               "only rule 2": "Rule 2 asks that the line of x₁ meets z₀.",
+               "both": "The rules are independent: one can hold without the other."}
+_BROKEN = [
+    _broken("Frame 1 breaks both rules. In the matrix of frame 1, seen from frame 0, which entry "
+            "shows that rule 1 is broken?", "row 3, column 1",
+            "Row 3, column 1 is x₁ · z₀. Rule 1 asks that it is 0.",
+            {"row 1, column 3": "Column 3 is z₁. Rule 1 speaks of x₁.", "row 3, column 1": "",
+             "row 3, column 3": "That is z₁ · z₀, the cosine of the twist. It may be anything.",
+             "row 3, column 4": "That is the height of O₁. It may be anything."}, 40, 1),
+    _broken("The tilt goes to 0, and the miss to 0.5. Which rule does frame 1 break then?",
+            "only rule 2", "x₁ is level, but its line passes z₀ at a distance of 0.5.",
+            _WHICH_RULE, 0, 0.5),
+    _broken("The tilt stays at 25°, and the miss goes to 0. Which rule does frame 1 break then?",
+            "only rule 1", "The line of x₁ meets z₀, but not at a right angle.",
+            _WHICH_RULE, 25, 0),
+]
+
+
+def _origin(done: int, ask: str, why: str, slip: tuple[tuple[float, float, float], str]) -> Mark:
+    """Where the travelling frame's origin is; θ₁ and θ₂* are 0, seen along x₀."""
+    return Mark(ask=f"{ask} Set the mark where the travelling frame's origin is then.", why=why,
+                of="frame--x", axes="yz", tolerance=0.07, begin=(0, -0.35, 0.75), seen="side",
+                slips=[slip],
+                start=dict(motion=0), shows=dict(motion=done))
+
+
+_ORIGINS = [
+    _origin(2, "Two motions are done: the turn by θ₂, and the slide by d₂ = 0.2 m.",
+            "A turn moves no origin. The slide goes along z₁, and z₁ points along −y₀.",
+            ((0, 0.2, 0.5), "z₁ points along −y₀, and d₂ is positive.")),
+    _origin(1, "One motion is done: the turn by θ₂.",
+            "The frame turns about its own z, and its origin lies on that axis.",
+            ((0, 0, 0.9), "That is a slide along the new x. It comes later.")),
+    _origin(3, "Three motions are done: the turn by θ₂, the slides by d₂ = 0.2 m and a₂ = 0.4 m.",
+            "First 0.2 m along z₁, then 0.4 m along x, which points up now: that is O₂.",
+            ((0, -0.2, 0.5), "The slide by a₂ along x is done as well.")),
+]
+
+_SWAPS = [Several(
+    ask="Four motions: turn by θ and slide by d along z, slide by a along x and turn by α about "
+        "x. Which may change places, with the same result in the end?",
+    why="A turn and a slide along one axis are like the two motions of a screw: their order is "
+        "free. Slides without a turn may change places, too.",
+    options={"the turn by θ and the slide by d": "Both have the same axis, z.",
+             "the slide by a and the turn by α": "Both have the same axis, x.",
+             "the slide by d and the slide by a":
+                 "Slides alone may be swapped: as neighbours, between the two turns.",
+             "the pair of z and the pair of x":
+                 "Turn a quarter, then go one step ahead. The other way round you end elsewhere."},
+    right=("the turn by θ and the slide by d", "the slide by a and the turn by α",
+           "the slide by d and the slide by a"))]
+
+
+def _column(ask: str, why: str, axes: str, slips: list, start: dict, **shows: float) -> Mark:
+    return Mark(ask=f"{ask} Set the mark where O₁ will be.", why=why, of="frame-1-x", axes=axes,
+                tolerance=0.15, begin=(0.3, 0.3, 1.1), slips=slips,
+                seen={"xz": "front", "yz": "side"}[axes],
+                start=dict(alpha=0) | start, shows=shows)
+
+
+_LAST_COLUMN = [
+    _column("a = 1 along x₀, and d = 0. Now θ goes to 90° and d to 0.5.",
+            "(1, 0, 0), turned by 90°, is (0, 1, 0); lifted by 0.5 it is (0, 1, 0.5).", "yz",
+            [((0, 0.5, 1), "d lifts along z₀, a goes along x₁."),
+             ((0, -1, 0.5), "About z the turn goes from x₀ to y₀.")],
+            dict(theta=0, d=0, a=1), theta=90, d=0.5),
+    _column("θ = 0, d = 0.5, a = 1. Now α goes to 90°.",
+            "The turn by α comes last, about x₁. It moves no origin: no α in column 4.", "xz",
+            [((1, 0, 1), "α turns frame 1 about its own x axis, and O₁ is on that axis."),
+             ((1, 0, -0.5), "α turns frame 1 about its own x axis, and O₁ is on that axis.")],
+            dict(theta=0, d=0.5, a=1), alpha=90),
+    _column("θ = 180°, d = 0.5, a = 0.8. Now a goes to −0.8.",
+            "x₁ points along −x₀. A negative a goes against x₁: O₁ is at (0.8, 0, 0.5).", "xz",
+            [((-0.8, 0, 0.5), "a is negative: against x₁.")],
+            dict(theta=180, d=0.5, a=0.8), a=-0.8),
+]
+
+_ZERO_OR_NOT = {"·": "is not zero", "0": "is zero for every θ and d"}
+
+
+def _pattern(ask: str, why: str, right: Sequence[str], **start: float) -> Signs:
+    return Signs(ask=ask, why=why, rows=("x", "y", "z"), columns=("x₁", "y₁", "z₁", "o₁"),
+                 right=right, among=_ZERO_OR_NOT, shows=start)
+
+
+_PATTERN = [
+    _pattern("Which entries of A₁ are zero whatever the four numbers are?",
+             "Only x₁ · z₀: rule 1. The rest depends on the four numbers.",
+             ("····", "····", "0···")),
+    _pattern("α₁ = 0. Which entries of A₁ are zero for every θ, d and a?",
+             "sin α = 0: z₁ stays along z₀, and x₁ and y₁ stay level.",
+             ("··0·", "··0·", "00··"), alpha=0),
+    _pattern("α₁ = 90° and a = 0. Which entries of A₁ are zero for every θ and d?",
+             "cos α = 0: y₁ points along z₀, z₁ is level. With a = 0, O₁ is on z₀.",
+             ("·0·0", "·0·0", "0·0·"), alpha=90, a=0),
+]
+
+PREDICTIONS: dict[str, Asked] = {
+    "dh_recipe.twist": Asked(numbers_view, _TWISTS),
+    "dh_recipe.which": Asked(_exam_link, _WHICH),
+    "dh_recipe.x2": Asked(_exam_link, _X_2),
+    "dh_recipe.zeros": Asked(_alpha_ii, _ZEROS),
+    "dh_recipe.says": Asked(None, _SAYS),
+    "dh_recipe.broken": Asked(rules_view, _BROKEN),
+    "dh_recipe.origin": Asked(_exam_motions, _ORIGINS),
+    "dh_recipe.swaps": Asked(None, _SWAPS),
+    "dh_recipe.column": Asked(numbers_view, _LAST_COLUMN),
+    "dh_recipe.pattern": Asked(numbers_view, _PATTERN),
+}
 
 
 # ---- Exercise 1: which transforms keep the rules --------------------------------------

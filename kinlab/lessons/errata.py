@@ -1,4 +1,4 @@
-"""Appendix, the lectures' misprints: its exercises' references and typical slips."""
+"""Appendix, the lectures' misprints: what it asks, its exercises' references and slips."""
 from __future__ import annotations
 
 from math import cos, sin
@@ -8,7 +8,111 @@ import numpy as np
 
 from ..answers.conditions import degrees_slip, one_of_many
 from ..answers.judges import Judge, choices, expressions
-from ..arms import inputs
+from ..answers.prediction import Asked, Mark, Number
+from ..arms import inputs, robots
+from ..arms.arm import Arm
+from ..arms.link import revolute
+from ..views.arm_view import ArmView
+from .rotation import riding_view
+from .views.homogeneous import order
+
+# ---- Predictions ------------------------------------------------------------------------
+
+
+def _two_link() -> ArmView:
+    return ArmView(robots.two_link(), np.radians([40, 50]))
+
+
+def misread_bar() -> ArmView:
+    """The two-link table under the printed header: link 1 has no length, link 2 has a₁."""
+    return ArmView(Arm([revolute(), revolute(a=1)], name="Two-link, misread", unit="m"), [0, 0])
+
+
+def _ride(turn: float, why: str, slip: str) -> Mark:
+    return Mark(ask=f"Frame 1 turns to θ = {turn:g}°. Set the mark where c will be in the room.",
+                why=why, of="point-c", tolerance=0.2, slips=[((1.2, 0.5, 0), slip)],
+                start=dict(theta=0), shows=dict(theta=turn))
+
+
+_LEFT_OUT = "That is the printed chain: it leaves c as it was."
+_CHAIN = [
+    _ride(90, "A quarter turn takes (x, y) to (−y, x): c⁰ = R₁⁰ c¹ = (−0.5, 1.2).", _LEFT_OUT),
+    _ride(180, "Half a turn takes (x, y) to (−x, −y): c⁰ = R₁⁰ c¹ = (−1.2, −0.5).", _LEFT_OUT),
+]
+
+
+def _tip(angles: tuple[float, float], where: str, why: str, printed: tuple[float, float]) -> Mark:
+    return Mark(ask=f"Both links are 1 m long. The joints go to {where}. Set the mark where the "
+                    "tip will be.", why=why, tolerance=0.15,
+                slips=[((*printed, 0), "That is what the printed formula says.")],
+                shows=dict(zip(("theta_1", "theta_2"), angles)))
+
+
+_TIP = [
+    _tip((0, 0), "0° and 0°", "The arm lies along x: height 0. The printed formula has height 1.",
+         (2, 1)),
+    _tip((90, 0), "90° and 0°", "The arm stands upright: height 2. The printed formula has height "
+         "1 + cos 90° = 1.", (0, 1)),
+]
+
+
+def _bar(angles: tuple[float, float], where: str, why: str, right: tuple[float, float]) -> Mark:
+    return Mark(ask=f"The misread arm: joint 2 stands where joint 1 stands. The joints go to "
+                    f"{where}. Set the mark where the tip will be.", why=why, tolerance=0.12,
+                slips=[((*right, 0), "There the right arm has its tip. This arm has one link.")],
+                start=dict(theta_1=0, theta_2=0), shows=dict(zip(("theta_1", "theta_2"), angles)))
+
+
+_BAR = [
+    _bar((0, 90), "0° and 90°", "Both joints turn about one point: the tip stays 1 m from it.",
+         (1, 1)),
+    _bar((90, 90), "90° and 90°", "The two turns add up to 180°, and the tip stays 1 m from the "
+         "base.", (-1, 1)),
+]
+
+_ORDER = [Mark(
+    ask="Frame B turns by 60° about its z first, then it slides by 2 along its own x. Set the mark "
+        "where its origin will be.",
+    why="The turned x axis points to 60°, and the slide goes that way: (2 cos 60°, 2 sin 60°).",
+    of="frame-B-x", tolerance=0.2, start=dict(t=0), shows=dict(t=2),
+    slips=[((2, 0, 0), "That is frame A: it slides first.")])]
+
+
+def _determinant(after: float, value: float, why: str) -> Number:
+    return Number(ask=f"α before the link is 0°, α after it is {after:g}°. The page puts the "
+                      "cosine of the wrong one into entry (3,3). What is the determinant of "
+                      "that matrix?",
+                  why=why, right=value, tolerance=0.01,
+                  slips=[(1, "That is the determinant of a rotation; this matrix is none.")])
+
+
+_HINT = [
+    _determinant(-90, 0, "Row 3 is (0, 0, cos α). With cos(−90°) = 0 the whole row is zero."),
+    _determinant(60, 0.5, "Row 3 is (0, 0, cos α). So the determinant is cos 60°."),
+]
+
+
+def _atan2(y: str, x: str, right: float, why: str) -> Number:
+    return Number(ask=f"A zero in a computer can carry a sign. What is atan2({y}, {x})?",
+                  why=why, right=right, tolerance=0.5, unit="°",
+                  slips=[(180 - right, "Look at the sign of the second zero.")])
+
+
+_ZERO = [
+    _atan2("0", "−0", 180, "The sign says from which side x came to zero: from the left, so 180°."),
+    _atan2("0", "0", 0, "Both zeros are positive: as for (0, small x), the angle is 0°."),
+]
+
+PREDICTIONS: dict[str, Asked] = {
+    "errata.chain": Asked(riding_view, _CHAIN),
+    "errata.tip": Asked(_two_link, _TIP),
+    "errata.hint": Asked(None, _HINT),
+    "errata.bar": Asked(misread_bar, _BAR),
+    "errata.zero": Asked(None, _ZERO),
+    "errata.order": Asked(order, _ORDER),
+}
+
+# ---- Exercises ----------------------------------------------------------------------------
 
 
 def _column(theta: float, d: float, a: float, alpha: float) -> list[float]:

@@ -9,7 +9,7 @@ import textbook
 import kinlab as kl
 from kinlab.arms.joints import joint_range
 from kinlab.drawing.still import still
-from kinlab.lessons.dh_recipe import motions_view, parameters_view, rules_view
+from kinlab.lessons.dh_recipe import motions_view, numbers_view, parameters_view, rules_view
 
 close = np.testing.assert_allclose
 COURSE = [kl.robots.two_link, kl.robots.practical_six_link, kl.robots.cylindrical,
@@ -184,6 +184,22 @@ def test_the_rules_are_read_from_the_matrix(tilt, miss):
     normal = np.cross(z, x)
     close(view.readings["rule 2"][0], o @ normal / np.linalg.norm(normal), atol=1e-12)
     close(T[2, 0], -np.sin(np.radians(tilt)), atol=1e-12)
+
+
+@pytest.mark.parametrize("theta, d, a, alpha", [(40, 0.6, 0.9, 30), (-120, -0.4, 1, 90),
+                                                (0, 0, -0.7, -150)])
+def test_the_four_numbers_are_drawn_and_end_in_the_link_matrix(theta, d, a, alpha):
+    view = numbers_view()
+    for name, value in dict(theta=theta, d=d, a=a, alpha=alpha).items():
+        view[name].value = value
+    frames, places = drawn(view, view._values)
+    T = textbook.standard(np.radians(theta), d, a, np.radians(alpha))
+    close(frames[view._scene.tip], T, atol=1e-12)
+    close(np.diff(places["d"], axis=0), [[0, 0, d]], atol=1e-12)
+    close(np.diff(places["a"], axis=0), [a * T[:3, 0]], atol=1e-12)
+    start, end = places["arc-alpha"][[0, -1]] - T[:3, 3]
+    close(start, [0, 0, np.linalg.norm(start)], atol=1e-12)
+    close(end, np.linalg.norm(start) * T[:3, 2], atol=1e-12)
 
 
 def transform(k):

@@ -27,6 +27,7 @@ FOLLOWED = {
     "combined": homogeneous.combined, "seen back": homogeneous.seen_back,
     "chain": homogeneous.chain, "spatial": homogeneous.spatial,
     "both methods": two_link.both_methods, "n links": two_link.n_links,
+    "four numbers": dh_recipe.numbers_view,
     "limits": workspace.limits_view}
 each = {"argvalues": STANDING.values(), "ids": STANDING}
 
