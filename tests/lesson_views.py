@@ -25,6 +25,8 @@ VIEWS = {robot.__name__: lambda robot=robot: kl.ArmView(
     "n links": lambda: LESSONS.two_link.n_links(4),
     "parameters": lambda: LESSONS.dh_recipe.parameters_view(kl.robots.exam_2018(), 2, EXAM),
     "motions": lambda: LESSONS.dh_recipe.motions_view(kl.robots.exam_2018(), 2, EXAM),
+    "stages": lambda: kl.link_view(kl.robots.exam_2018(), 2, EXAM),
+    "stages, modified": lambda: kl.link_view(kl.robots.practical_six_link(), 3),
     "rules": LESSONS.dh_recipe.rules_view,
     "four numbers": LESSONS.dh_recipe.numbers_view,
     "misread": lambda: LESSONS.n_link.misread(kl.robots.practical_six_link()),

@@ -34,6 +34,7 @@ LIBRARIES = {
     "browser": set(), "tables": {"numpy"}, "views": {"numpy"}, "lessons": {"numpy", "sympy"},
     "course": {"numpy", "nbformat", "nbclient", "nbconvert", "pygments", "jupyterlab"},
     "arms.symbolic": {"sympy"}, "arms.letters": {"sympy"}, "arms.notation": {"sympy"},
+    "arms.growing": {"sympy"},
     "arms.motions": {"sympy"}, "arms.workspace": {"tqdm"}, "drawing.figure": {"matplotlib", "PIL"},
     "drawing.legend": {"matplotlib"},
     "drawing.workspace_figures": {"matplotlib"}, "browser.mathml": {"latex2mathml"},

@@ -14,6 +14,7 @@ from typing import Any, TypeVar
 import numpy as np
 
 from ..arms import inputs
+from .raised import in_words
 from .verdict import BLANK, CORRECT, NOT_YET, Verdict
 
 # Relative, and absolute near zero: what was printed with six decimals and typed again counts as
@@ -176,8 +177,7 @@ def _called(answer: Callable, case: Case) -> Any:
     try:
         return answer(*case.values())
     except Exception as error:  # the student's own code: say what it said
-        raise _Unreadable(f"For {_said(case)} your function raised {type(error).__name__}: "
-                          f"{inputs.brief(str(error), 120)}") from None
+        raise _Unreadable(f"For {_said(case)} your function raised {in_words(error)}.") from None
 
 
 def _compared(results: Sequence, reference: Callable, cases: Sequence[Case],

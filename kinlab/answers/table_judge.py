@@ -11,6 +11,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
+from functools import partial
 from math import atan2, hypot, pi
 from typing import Any
 
@@ -28,8 +29,8 @@ from .verdict import BLANK, NOT_YET, Fault, Verdict
 Slips = Sequence[tuple[str, Arm]]
 
 
-def table(reference: Arm, *, ends: bool = False, strict: bool = False, slips: Slips = (),
-          praise: str) -> Judge:
+def table(reference: Arm, *, ends: bool = False, strict: bool = False, upright: bool = False,
+          slips: Slips = (), praise: str) -> Judge:
     """Judge of an arm, made from a table.
 
     Parameters
@@ -39,6 +40,8 @@ def table(reference: Arm, *, ends: bool = False, strict: bool = False, slips: Sl
         Also ask for the floor, on which frame 0 stands, and for the tip.
     strict : bool
         As in `same_mechanism`: also ask for the zero position and the tool frame.
+    upright : bool
+        With `strict`: also ask that the first axis points up as the reference's does.
     slips : sequence of (message, wrong arm)
         One with the answer's own numbers is named alone; one that is the same as the answer,
         other frames aside, is named behind what the examiner says. A slip speaks of cells, so
@@ -51,9 +54,14 @@ def table(reference: Arm, *, ends: bool = False, strict: bool = False, slips: Sl
         if not isinstance(answer, Arm):
             return Verdict(NOT_YET, "Expected an arm, made with kl.Arm([kl.revolute(...), ...]).")
         if _ready_made(answer, reference):
-            return Verdict(NOT_YET, "This is the arm that kinlab has ready. Write its rows yourself: "
-                                    "kl.Arm([kl.revolute(...), ...]).")
-        return examined(answer, reference, ends=ends, strict=strict, slips=slips, praise=praise)
+            return Verdict(NOT_YET, "This is the arm that kinlab has ready. Write its rows "
+                                    "yourself: kl.Arm([kl.revolute(...), ...]).")
+        verdict = examined(answer, reference, ends=ends, strict=strict, slips=slips, praise=praise)
+        if verdict.ok and upright and not _stands_up(answer, reference):
+            return Verdict(NOT_YET, " ".join(first_of(slips, partial(_same_numbers, answer)) or [
+                "The mechanism is right, but it does not stand upright: z0 has to point up. Look "
+                "at the first twist."]))
+        return verdict
     return judge
 
 
@@ -88,6 +96,12 @@ def with_columns(arm: Arm, **columns: Numbers) -> Arm:
     return replace(arm, links=tuple(
         with_numbers(link, **{name: float(numbers[i]) for name, numbers in columns.items()})
         for i, link in enumerate(arm.links)))
+
+
+def _stands_up(answer: Arm, reference: Arm) -> bool:
+    """Whether the placement that carries one arm onto the other keeps the vertical."""
+    mine, theirs = (forward_kinematics(arm, np.zeros(arm.n)) for arm in (answer, reference))
+    return bool(np.isclose((mine @ np.linalg.inv(theirs))[2, 2], 1))
 
 
 def _ready_made(answer: Arm, reference: Arm) -> bool:

@@ -12,6 +12,7 @@ import { menu, picker } from "./menu.js";
  * @property {(q: (number | null)[]) => void} go a knob at null stays where it is
  * @property {() => void} play
  * @property {(by: number) => void} step
+ * @property {(stage: number) => void} stage
  * @property {(preset: string) => void} look
  * @property {(frame: number, direction: number[]) => void} along
  * @property {(layer: string, on: boolean) => void} show
@@ -71,7 +72,7 @@ export class Bar {
     const [opener] = menu("More", "More buttons", this.more,
                           { class: "kl-button kl-opener" }, true);
     this.node = make("div", { class: "kl-toolbar", role: "toolbar", "aria-label": "View" },
-                     this.moves(steps), opener, this.more);
+                     this.moves(steps), ...this.stages(), opener, this.more);
   }
 
   // ---- groups ----
@@ -104,6 +105,14 @@ export class Bar {
     return node;
   }
 
+  /** A button for each stage that has a name. */
+  stages() {
+    const knob = this.scene.knobs.find(({ names }) => names);
+    if (!knob) return [];
+    return [group(knob.title, ...knob.names?.map((name, k) => button(name,
+      `${knob.label} ${k}: ${name}`, () => this.acts.stage(k), { "data-stage": k })) ?? [])];
+  }
+
   views() {
     const names = Object.keys(this.scene.presets), axes = sightlines(this.scene.items);
     if (names.length < 2) return [];
@@ -111,9 +120,13 @@ export class Bar {
       button(capital(name), `View: ${name}`, () => this.acts.look(name)));
     const letters = ["z", "x"].map((letter) => ({ label: `${letter} axes`,
       options: [...axes.keys()].filter((name) => name.startsWith(letter)) }));
-    const list = picker("Along …", "Look along an axis, which then points at you", letters,
-      (name) => this.acts.along(.../** @type {[number, number[]]} */ (axes.get(name))));
-    return [group("View", ...buttons, ...(axes.size ? [list] : []), this.perspective())];
+    const along = (/** @type {string} */ name) =>
+      this.acts.along(.../** @type {[number, number[]]} */ (axes.get(name)));
+    const list = picker("Along …", "Look along an axis, which then points at you", letters, along);
+    const sights = this.scene.sights?.map((name) => button(`Along ${name}`,
+      `Look along ${name}, which then points at you`, () => along(name))) ?? [];
+    return [group("View", ...buttons, ...sights, ...(axes.size ? [list] : []),
+                  this.perspective())];
   }
 
   perspective() {
@@ -161,6 +174,14 @@ export class Bar {
   }
 
   // ---- what they show ----
+
+  /** @param {number} stage where it stands */
+  stand(stage) {
+    for (const node of this.node.querySelectorAll("[data-stage]")) {
+      const here = node.getAttribute("data-stage") === String(stage);
+      node.setAttribute("aria-pressed", String(here));
+    }
+  }
 
   /** @param {string} selector */
   part(selector) { return this.node.querySelector(selector); }

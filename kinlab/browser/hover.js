@@ -95,7 +95,9 @@ export function lightUp(root, pointed) {
  */
 export function walkThrough(formula) {
   const all = () => /** @type {MathMLElement[]} */ ([...formula.querySelectorAll("[data-factor]")]);
-  all().forEach((factor, k) => { factor.tabIndex = k ? -1 : 0; });
+  all().forEach((factor, k, { [k - 1]: before }) => {
+    factor.tabIndex = before?.closest("math") === factor.closest("math") ? -1 : 0;
+  });
   formula.addEventListener("keydown", (event) => {
     const factors = all().filter((factor) => factor.getClientRects().length);
     const at = factors.indexOf(/** @type {MathMLElement} */ (event.target));

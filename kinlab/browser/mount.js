@@ -131,13 +131,14 @@ class View {
     write(plan.title, scene.name);
     plan.put("stage", box, this.bar.node);
     plan.put("side", pose?.node, lines.node, this.remark);
-    if (this.formula.innerHTML) plan.put("below", this.formula);
+    const staged = this.formula.querySelector("[data-stages]");
+    if (this.formula.innerHTML) plan.put(staged ? "side" : "below", this.formula);
     this.controls.take(scene.knobs, this.joints, () => this.note(this.said));
     for (const { layer, on } of scene.layers) this.switch(layer, before?.shown[layer] ?? on);
     this.look(before?.began === scene.preset ? before.preset : scene.preset);
     if (before?.began === scene.preset) picture.camera = before.camera;
     this.ends.push(
-      fitFormula(this.formula, scene.pose?.columns ?? []),
+      fitFormula(this.formula, !staged && scene.pose?.columns || []),
       orbit(box, picture, () => this.redraw(), () => this.look(this.preset), this.hands),
       this.joints.listen(() => this.moved()),
       this.highlight.begin(),
@@ -173,6 +174,10 @@ class View {
       step: (by) => {                                // on from where the last one leads
         const from = mover.request ? mover.goal : this.joints.read();
         mover.start(this.led, [this.walk.next(from, by)], MOVE);
+      },
+      stage: (k) => {
+        const way = this.walk.to(this.joints.read(), k);
+        if (way.length) mover.start(this.led, way, MOVE);
       },
       look: (preset) => this.look(preset),
       along: (frame, direction) => this.along(frame, direction),
@@ -248,6 +253,7 @@ class View {
     const changed = [...this.pose?.update(this.posed(all)) ?? [], ...lines.update(all, q)];
     this.highlight.follow(changed, q);
     this.chart?.draw(q);
+    this.stand(this.walk.stage(q));
     if (this.chase) write(this.error, missed(/** @type {TargetScene} */ (scene), all, this.solved));
     write(this.shrunk, drawnAt(this.picture.lens));
     this.hands.drawn();
@@ -256,6 +262,15 @@ class View {
     this.settle();
     clearTimeout(this.heard);
     this.heard = setTimeout(() => this.describe(), HEARD);
+  }
+
+  /** @param {number} stage of those that have buttons, or parts of the formula */
+  stand(stage) {
+    this.bar.stand(stage);
+    for (const part of this.formula.children) {
+      const of = part.getAttribute("data-stages")?.split(" ");
+      part.toggleAttribute("hidden", of ? !of.includes(String(stage)) : false);
+    }
   }
 
   /** Let the names in the picture go on to their places, when nothing else moves any more. */

@@ -43,11 +43,30 @@ export class Walk {
     return this.whole < 0 ? this.beside(all, q, by) : this.counted(all, q, by);
   }
 
+  /**
+   * At which stage the knobs stand, more or less.
+   * @param {number[]} q
+   */
+  stage(q) { return Math.round(q[this.whole] - this.scene.knobs[this.whole]?.low); }
+
+  /**
+   * All stages on the way to one.
+   * @param {number[]} q
+   * @param {number} stage
+   */
+  to(q, stage) {
+    const all = stages(this.scene, q), way = [], goal = all[stage][this.whole];
+    for (let at = q; at[this.whole] !== goal;) {
+      way.push(at = this.counted(all, at, goal - at[this.whole]));
+    }
+    return way;
+  }
+
   /** @type {(all: number[][], q: number[], by: number) => number[]} */
   counted(all, q, by) {
     const since = q[this.whole] - this.scene.knobs[this.whole].low;
-    const last = by > 0 ? Math.floor(since + THERE) : Math.ceil(since - THERE);
-    return all[clip(last + by, 0, all.length - 1)];
+    const next = by > 0 ? Math.floor(since + THERE) + 1 : Math.ceil(since - THERE) - 1;
+    return all[clip(next, 0, all.length - 1)];
   }
 
   /**

@@ -133,6 +133,8 @@ export interface Knob {
   whole?: boolean;
   /** What two knobs that are the two ends of one range share; the lower end comes first. */
   pair?: string;
+  /** What its whole numbers are called, each on a button. */
+  names?: string[];
 }
 
 /** Whole steps between limits, in the slider's units. */
@@ -210,6 +212,8 @@ export interface Scene {
   wide: boolean;
   presets: Record<string, [azimuth: number, elevation: number]>;
   preset: string;
+  /** Axes that one looks along by a button: "z₁". */
+  sights?: string[];
   decimals: number;
   knobs: Knob[];
   layers: Layer[];

@@ -24,8 +24,9 @@ class Knob:
     divided by `scale`, in `unit`, and an arrow key moves it by `step` of those.
 
     The whole numbers of a `whole` knob are stages, from one to the next of which steps and Play
-    go. Two knobs with the same `pair` are the ends of one range, the lower first: one slider with
-    two handles, named by the pair, that cannot pass each other.
+    go; `names` are what they are called, each on a button. Two knobs with the same `pair` are the
+    ends of one range, the lower first: one slider with two handles, named by the pair, that cannot
+    pass each other.
     """
 
     name: str
@@ -40,6 +41,7 @@ class Knob:
     whole: bool = False
     pair: str = ""
     quantity: str = ""  # "angle", "length", "target": the colour of its name
+    names: tuple[str, ...] = ()
 
     @classmethod
     def angle(cls, name: str, label: str, low: float = -math.pi, high: float = math.pi,
@@ -77,7 +79,7 @@ class Knob:
 
     def data(self) -> dict:
         """Plain data for the browser; what few knobs have is left out of the others."""
-        rare = {name for name in ("whole", "pair") if not getattr(self, name)}
+        rare = {name for name in ("whole", "pair", "names") if not getattr(self, name)}
         told = {name: value for name, value in asdict(self).items() if name not in rare}
         return told | {"suffix": self.suffix, "digits": self.digits}
 

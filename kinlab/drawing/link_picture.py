@@ -6,7 +6,7 @@ lengths (d, a) are dimension lines, each kind in the colour that it has in formu
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from numbers import Integral
 from typing import Any
@@ -25,15 +25,16 @@ from .scene import SOLIDS, SPATIAL, Item, Scene, at, origin_of
 from .sketch import Sketch
 
 _AXES, _VIEW = np.eye(3), Camera(*SPATIAL["3-D"]).axes[2]
-_LETTERS = {"theta": "θ", "d": "d", "a": "a", "alpha": "α"}
+LETTERS = {"theta": "θ", "d": "d", "a": "a", "alpha": "α"}
+_RAISED = str.maketrans("₀₁₂₃₄₅₆₇₈₉", "0123456789")
 _HALF = 8  # frame in the middle of a sweep
 
 
 def parameters_scene(arm: Arm, link: int, q: Any) -> Scene:
     """The four DH parameters of a link, measured on the arm."""
     sketch = LinkSketch(arm, link, q)
-    for k, parameter in enumerate(sketch.parameters):
-        sketch.reading(parameter, sketch.rule(k), Amount(sketch.frames[k + 1]))
+    sketch.measure()
+    sketch.tell()
     sketch.pose = sketch.table(f"A{subscript(link)}", str(link))
     return sketch.scene()
 
@@ -41,6 +42,7 @@ def parameters_scene(arm: Arm, link: int, q: Any) -> Scene:
 def motions_scene(arm: Arm, link: int, q: Any) -> Scene:
     """The four motions from frame i-1 to frame i, as far as the knob "motion" says."""
     sketch = LinkSketch(arm, link, q)
+    sketch.measure()
     sketch.carry()
     sketch.poses = [[*sketch.start, done] for done in range(5)]
     sketch.start.append(0.0)
@@ -62,6 +64,7 @@ class LinkSketch(Sketch):
         body = joints_before(arm, int(link))
         self.items = [_stepped_back(item, body) for item in self.items]
         self.arm, self.link = arm, int(link)
+        self.knobs = [replace(knob, label=f"{knob.label}*") for knob in self.knobs]
         self.bare()
         self.follows = True  # one link is looked at, not the arm
         self.floor = self.floor and replace(self.floor, drops=())
@@ -71,7 +74,6 @@ class LinkSketch(Sketch):
         ends = link_ends(arm)
         self.first, self.tip = ends[self.link - 1], ends[self.link]
         self.frames = self._walk(self.motions)
-        self._measure()
 
     def table(self, title: str, name: str) -> PoseTable:
         """The matrix of the last frame, as frame i-1 sees it."""
@@ -80,6 +82,11 @@ class LinkSketch(Sketch):
                    (f"o{name}", f"origin, from O{before}"))
         return PoseTable(f"{title}, seen from frame {self.link - 1}", columns, self.unit,
                          decimals(self.radius), base=self.first)
+
+    def tell(self) -> None:
+        """A line for each parameter: how it is measured, and its value."""
+        for k, parameter in enumerate(self.parameters):
+            self.reading(parameter, self.rule(k), Amount(self.frames[k + 1]))
 
     def carry(self) -> None:
         """A frame that a knob carries from frame i-1 to frame i, with the path of its origin."""
@@ -91,7 +98,7 @@ class LinkSketch(Sketch):
                                     frames[-1], gain=float(motion.sign), scrub=(done, k)))
             verb = "turn about" if motion.kind == ROTATE else "slide along"
             self.reading(self.parameters[k], f"{k + 1}. {verb} {'xyz'[motion.axis]} by "
-                         f"{self._name(k)}: {{}}{self._unit(motion)}", Amount(frames[-1]))
+                         f"{self.name_of(k)}: {{}}{self._unit(motion)}", Amount(frames[-1]))
         self.line("path", map(origin_of, frames), "trace")
         self.axes("", frames[-1], 0.3 * self.radius)
         self.reading("o", f"origin at {{}} {self.unit}, seen from frame {self.link - 1}",
@@ -107,17 +114,32 @@ class LinkSketch(Sketch):
                                     frames[-1], gain=share * motion.sign))
         return frames
 
-    def _measure(self) -> None:
-        for k, motion in enumerate(self.motions):
-            if not motion.idle:
-                draw = self._arc if motion.kind == ROTATE else self._dimension
-                draw(k, motion.axis, self.frames[k], self.frames[k + 1])
+    def measure(self) -> None:
+        """All four parameters, the axes of action, and both frames."""
+        for k in range(4):
+            self.mark(k, self.frames)
+        self.axes_of_action()
+        for name, frame, length in self.both_frames():
+            self.axes(name, frame, length)
+
+    def mark(self, k: int, frames: Sequence[int]) -> None:
+        """The k-th parameter between frames before and after the motions: an arc or a length."""
+        motion = self.motions[k]
+        if not motion.idle:
+            draw = self._arc if motion.kind == ROTATE else self._dimension
+            draw(k, motion.axis, frames[k], frames[k + 1])
+
+    def axes_of_action(self) -> None:
+        """The lines of z, before the link and behind it."""
         for name, frame in (("before", self.first), ("after", self.tip)):
             reach = 0.42 * self.radius * _AXES[Z]
             self.line(f"z-{name}", at(frame, -reach, reach), "axis")
+
+    def both_frames(self) -> list[tuple[str, int, float]]:
+        """The frames' names and numbers, and how long their axes are drawn."""
         apart = any(not m.idle for m in self.motions if m.kind != ROTATE)
-        self.axes(str(self.link - 1), self.first, 0.22 * self.radius)
-        self.axes(str(self.link), self.tip, (0.22 if apart else 0.28) * self.radius)
+        return [(str(self.link - 1), self.first, 0.22 * self.radius),
+                (str(self.link), self.tip, (0.22 if apart else 0.28) * self.radius)]
 
     def _arc(self, k: int, axis: int, before: int, after: int) -> None:
         """From the other axis as it was to where the turn leaves it, with both drawn as rays."""
@@ -125,7 +147,7 @@ class LinkSketch(Sketch):
         for frame in (before, after):
             self.line(f"ray-{k}-{frame}", at(frame, (0, 0, 0), 1.08 * place))
         marks = self.sweep(f"arc-{k}", after, place)
-        self.label(self._name(k), at(marks[_HALF], place, (0, 0, 0)), "angle")
+        self.label(self.name_of(k), at(marks[_HALF], place, (0, 0, 0)), "angle")
 
     def _dimension(self, k: int, axis: int, before: int, after: int) -> None:
         """Beside the link, between two short lines out from where the slide begins and ends."""
@@ -135,7 +157,7 @@ class LinkSketch(Sketch):
         tail, head = (at(frame, beside)[0] for frame in (before, after))
         self.arrow(f"dimension-{k}", tail, head, "length")
         middle = self._part(self._step(after), before, 0.5)
-        self.label(self._name(k), at(middle, beside, (0, 0, 0)), "length")
+        self.label(self.name_of(k), at(middle, beside, (0, 0, 0)), "length")
 
     def _sideways(self, frame: int, axis: int, other: int) -> np.ndarray:
         """Across an axis of a frame and across the view at first; not towards the other axis."""
@@ -145,16 +167,22 @@ class LinkSketch(Sketch):
             across = _AXES[other]
         return across / np.linalg.norm(across) * (-1 if across[other] > 0 else 1)
 
-    def _name(self, k: int) -> str:
+    def name_of(self, k: int) -> str:
         """The k-th parameter with its index: a and alpha of a modified row i have i-1.
 
         A joint variable has the number of its joint.
         """
         parameter, joint = self.parameters[k], self.motions[k].joint
         if joint is not None:
-            return _LETTERS[parameter] + subscript(joint + 1)
+            return LETTERS[parameter] + subscript(joint + 1)
         behind = self.arm.convention == "modified" and parameter in ("a", "alpha")
-        return _LETTERS[parameter] + subscript(self.link - behind)
+        return LETTERS[parameter] + subscript(self.link - behind)
+
+    def symbol_of(self, k: int) -> str:
+        """The k-th parameter's name as a symbol: "theta_2"."""
+        letter, index = self.name_of(k)[0], self.name_of(k)[1:]
+        plain = {mark: name for name, mark in LETTERS.items()}[letter]
+        return f"{plain}_{index.translate(_RAISED)}"
 
     def rule(self, k: int) -> str:
         """How the k-th parameter is measured, with its name in front and a place for its value."""
@@ -167,7 +195,7 @@ class LinkSketch(Sketch):
 
     def _equation(self, k: int) -> str:
         """The name; for a joint variable with its star, and with the joint's offset."""
-        name, motion = self._name(k), self.motions[k]
+        name, motion = self.name_of(k), self.motions[k]
         if motion.joint is None:
             return name
         variable = f"{'-' * (motion.sign < 0)}{name}*"

@@ -250,6 +250,7 @@ class Scene:
     size: tuple[float, float] = SIZE
     presets: dict[str, tuple[float, float]] = field(default_factory=lambda: dict(SPATIAL))
     preset: str = ""                          # to begin with; the first one if left out
+    sights: tuple[str, ...] = ()              # axes that one looks along by a button, "z₁"
     readings: tuple[Reading, ...] = ()
     focus: int | None = None
     name: str = ""
@@ -324,7 +325,7 @@ class Scene:
     def data(self) -> dict:
         """The scene as plain data for the browser."""
         plain = ("name", "tip", "center", "radius", "scale", "size", "presets", "focus", "wide",
-                 "poses")
+                 "poses", "sights")
         return {key: getattr(self, key) for key in plain} | {
             "motions": [motion.data() for motion in self.motions],
             "items": [item.data() for item in self.items],

@@ -98,6 +98,7 @@ class Sketch:
         self.focus: int | None = None
         self.size = SIZE
         self.presets = dict(PLANAR if planar else SPATIAL)
+        self.sights: tuple[str, ...] = ()  # axes worth looking along, such as "z₁"
         self.start: list[float] = []  # values of the knobs; their homes if there are none
         self.switches: list[Switch] = []
         self.pose: PoseTable | None = None
@@ -192,14 +193,19 @@ class Sketch:
         the same size however near one is, begin `inside` of their origin, and are longer for each
         of the frames `sharing` it.
         """
-        size = () if length else (inside, float(sharing))
-        for letter, axis in zip("xy" if self.planar else "xyz", _AXES):
-            ends = at(frame, (0, 0, 0), (length or 1.0) * axis)
-            self.add(f"frame-{name}-{letter}", ARROW if length else AXIS, letter, ends, size=size,
-                     part="frame", frame=name)
-            self.add(f"label-{name}-{letter}", TEXT if length else NAME, letter,
-                     ends[::-1] if length else ends, letter + subscript(name),
-                     size=size, part="label", frame=name)
+        for letter in "xy" if self.planar else "xyz":
+            self.axis(name, frame, length, letter, (inside, float(sharing)))
+
+    def axis(self, name: str, frame: int, length: float | None, letter: str,
+             size: tuple[float, ...] = ()) -> None:
+        """One axis of a frame, with its name; `size` is that of an axis without a length."""
+        ends = at(frame, (0, 0, 0), (length or 1.0) * _AXES["xyz".index(letter)])
+        size = () if length else size
+        self.add(f"frame-{name}-{letter}", ARROW if length else AXIS, letter, ends, size=size,
+                 part="frame", frame=name)
+        self.add(f"label-{name}-{letter}", TEXT if length else NAME, letter,
+                 ends[::-1] if length else ends, letter + subscript(name),
+                 size=size, part="label", frame=name)
 
     def point(self, name: str, frame: int, place: Numbers) -> Point:
         """A dot with its name."""
@@ -305,7 +311,7 @@ class Sketch:
         scene = Scene(
             name=self.name, motions=tuple(self.steps), items=tuple(self.items), tip=self.tip,
             center=self.center, radius=self.radius, size=self.size,
-            focus=self.focus, presets=dict(self.presets),
+            focus=self.focus, presets=dict(self.presets), sights=self.sights,
             knobs=tuple(self.knobs), start=tuple(self.start) or None,
             switches=tuple(self.switches), pose=self.pose, target=self.target,
             poses=tuple(tuple(map(float, pose)) for pose in self.poses), joints=self.joints,

@@ -170,6 +170,8 @@ _SIX_SLIPS = [
     ("The arm is right, but its tool lies along z6, not along x6.",
      _six(tool=np.eye(4) + np.outer([1, 0, 0, 0], [0, 0, 0, 1]))),
     ("The sign of d in row 2 is wrong: the table says -d2.", _six(d=np.abs(_D))),
+    ("The sign of alpha in row 2 is wrong: so the arm hangs upside down, with z0 pointing down.",
+     _six(alpha=_ALPHA * [1, -1, 1, 1, 1, 1])),
     ("The signs of alpha in rows 2, 4, 5, 6 are all turned round.", _six(alpha=-_ALPHA)),
     ("a2 = 0.5 stands in row 2. It belongs in row 3: row i of a modified table holds a_(i-1).",
      _six(a=np.roll(_A, -1))),
@@ -274,7 +276,7 @@ JUDGES: dict[str, Judge] = {
         praise="Your program does what the practical asks for, for two, three and six links."),
         read=_joined),
     "n_link.3": table(
-        _SIX, strict=True, slips=_SIX_SLIPS,
+        _SIX, strict=True, upright=True, slips=_SIX_SLIPS,
         praise="Add a cell with kl.ArmView(my_arm): it is your sketch."),
     "n_link.4": _through(lambda *angles: [euler.zyz_matrix(*angles)], function(
         _branches, _ZYZ_CASES, slips=_ZYZ_SLIPS, entry=_zyz_entry,

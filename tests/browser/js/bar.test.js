@@ -36,6 +36,14 @@ test("a step goes to the next whole number and stops at the last", () => {
   assert.equal(walk.has, true);
 });
 
+test("the way to a stage leads through all stages between", () => {
+  const walk = new Walk({ knobs: KNOBS, poses: [] });
+  const way = (value, stage) => walk.to([0, value], stage).map((q) => q[1]);
+  assert.deepEqual([way(0, 3), way(2.5, 0), way(1.5, 2)], [[1, 2, 3], [2, 1, 0], [2]]);
+  assert.deepEqual(way(2, 2), []);
+  assert.deepEqual([walk.stage([0, 0.4]), walk.stage([0, 2.6])], [0, 3]);
+});
+
 test("a step goes from pose to pose and round, though one comes twice", () => {
   const poses = [[0], [1], [0], [-1]], walk = new Walk({ knobs: KNOBS.slice(0, 1), poses });
   let q = [0];
