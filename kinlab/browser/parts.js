@@ -33,8 +33,8 @@ export class Part {
   constructor(item) {
     const { gid, style, shape, part, frame, joint, link } = item;
     this.item = item;
-    this.group = drawn("g", { id: gid, class: `kl-${style} kl-shape-${shape}`, "data-frame": frame,
-      "data-part": part || shape, "data-joint": joint, "data-link": link });
+    this.group = drawn("g", { id: gid, class: `kl-${style.replace("-", " kl-")} kl-shape-${shape}`,
+      "data-frame": frame, "data-part": part || shape, "data-joint": joint, "data-link": link });
   }
 
   get on() { return this.layerOn && this.there; }
@@ -90,7 +90,6 @@ export class Solid extends Part {
     this.paint = paint;
     const ramp = shades(paint.ramp ?? []), hub = paint.hub ? shades(paint.hub) : ramp;
     const plain = [ramp, hub].map((colours) => paint.faded ? colours.map(pale) : colours);
-    if (paint.faded) this.group.classList.add("kl-far");
     this.ramps = { plain, pointed: [shades(amber.ramp ?? []), hub],
                    dim: [ramp.map(dimmed), hub.map(dimmed)] };
     this.pieces = [new Piece(this, this.group)];

@@ -97,6 +97,11 @@ PAINTS: dict[str, Paint] = {
     "miss": _quantity("target", 1.4, filled=False, dash=(5.6, 4.2)),
     "ink": {"fill": INK},
     **{axis: _quantity(axis, 1.8) for axis in "xyz"},
+    **{f"{axis}-wide": _quantity(axis, 4) for axis in "xyz"},      # a multiple of an axis
+    **{f"{axis}-leg": _quantity(axis, 1.4, filled=False, dash=(5.6, 4.2)) for axis in "xyz"},
+    "cover": pen("#242c34", 1, fill="#8db4cf"),            # of a book, and what it holds
+    "pages": pen("#242c34", 1, fill="#f3ecdb"),
+    "print": pen("#242c34", 1, fill="#ffffff"),
     **{name: _quantity(name, 1.6) for name in ("angle", "length")},
     "limit": _quantity("angle", 1.6, filled=False, dash=(7, 4)),   # where a joint's angle ends
     "point": _quantity("point", 2),

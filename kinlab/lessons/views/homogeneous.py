@@ -149,8 +149,9 @@ def _term(sketch: Sketch, name: str, turns: str, frame: int, head: Point) -> Non
 
 def _scrubbed(name: str, radius: float, center: tuple) -> tuple[Sketch, int]:
     sketch = Sketch(name, radius, center=center)
+    sketch.poses = [[0], [1], [2]]
     sketch.axes("0", 0, 1.0)
-    return sketch, sketch.knob(Knob("t", "motion", 0, 2, 1.5, step=0.1, whole=True))
+    return sketch, sketch.knob(Knob("t", "motion", 0, 2, 0, step=0.1, whole=True))
 
 
 def _motions(sketch: Sketch, name: str, knob: int, arc: float,
