@@ -11,10 +11,11 @@ import sympy as sp
 from ..answers.judges import Judge, expressions, function
 from ..answers.matrices import matrix_entry
 from ..arms import transforms
+from .asked.homogeneous import PREDICTIONS
 from .views.homogeneous import chain, combined, fixed, order, seen_back, spatial
 
-__all__ = ["chain", "combined", "expansion", "fixed", "growth", "order", "seen_back", "spatial",
-           "spelled_out"]
+__all__ = ["JUDGES", "PREDICTIONS", "chain", "combined", "expansion", "fixed", "growth", "order",
+           "seen_back", "spatial", "spelled_out"]
 
 
 def expansion(n: int) -> sp.Expr:
