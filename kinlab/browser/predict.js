@@ -142,12 +142,14 @@ class Prediction {
   told() {
     const { scene, one, answered, question: { first } } = this, { yours, gap } = itemsOf(one);
     const ended = this.ended(), own = ended.slice(first);
-    const fixed = (/** @type {number[]} */ q) => [...q.slice(0, first), ...own];
+    /** @type {<Value>(q: Value[]) => (Value | number)[]} */
+    const fixed = (q) => [...q.slice(0, first), ...own];
     const knobs = scene.knobs.map((knob, i) => i < first ? knob
       : { ...knob, low: ended[i], high: ended[i], quantity: "mark" });
     return { ...this.with(answered?.answer == null ? [] : [...yours, ...gap]), knobs,
              handles: scene.handles.filter(({ name }) => !OWN.includes(name)),
-             home: fixed(scene.home), zero: fixed(scene.zero), poses: scene.poses.map(fixed) };
+             home: fixed(scene.home), zero: scene.zero && fixed(scene.zero),
+             poses: scene.poses.map(fixed) };
   }
 
   /**
