@@ -1,6 +1,7 @@
 """Lesson 07, the Alpha II: its views, its exercises' references and typical slips."""
 from __future__ import annotations
 
+from collections.abc import Callable
 from functools import partial
 from math import cos, pi, sin
 
@@ -15,7 +16,14 @@ from ..answers.conditions import (
     within_limits,
 )
 from ..answers.judges import Judge, Slip, choices, expressions, function
-from ..answers.matrices import link_matrix, matrix_entry
+from ..answers.matrices import (
+    BY_ENTRY,
+    entry_by_entry,
+    link_matrix,
+    matrix_entry,
+    motions,
+    sign_slips,
+)
 from ..arms import kinematics, robots
 from .asked.alpha_ii import PREDICTIONS
 from .views.four_motions import four_motions
@@ -64,6 +72,21 @@ _LINK_SLIPS: list[Slip] = [
      "a cos(theta), a sin(theta).", _slide_before_turn),
     ("The slide d along z is left out.", lambda t, d, a, al: _A(t, 0, a, al)),
     ("The slide a along x is left out.", lambda t, d, a, al: _A(t, d, 0, al)),
+    ("theta and alpha have changed places: theta turns about z, alpha about x.",
+     lambda t, d, a, al: _A(al, d, a, t)),
+    ("The last column is that of the modified matrix. Here the turn by theta comes first, so the "
+     "column is a cos(theta), a sin(theta), d.", lambda t, d, a, al: np.column_stack(
+         [_A(t, d, a, al)[:, :3], _modified(t, d, a, al)[:, 3]])),
+    ("a lies along x, which theta turns towards y: the last column has a cos(theta) above "
+     "a sin(theta).", lambda t, d, a, al: np.column_stack(
+         [_A(t, d, a, al)[:, :3], [a * sin(t), a * cos(t), d, 1]])),
+    ("Sine and cosine of theta have changed places.", lambda t, d, a, al: _A(pi / 2 - t, d, a, al)),
+    ("Sine and cosine of alpha have changed places.", lambda t, d, a, al: _A(t, d, a, pi / 2 - al)),
+    (BY_ENTRY, lambda *row: entry_by_entry(motions(*row))),
+    (BY_ENTRY, lambda t, d, a, al: entry_by_entry([_A(t, d, 0, 0), _A(0, 0, a, al)])),
+    *sign_slips(_A, [[(0, 2)], [(1, 2)], [(2, 1)]],
+                "The sign of sin(alpha) is wrong in one of its rows: in Rx(alpha) the minus stands "
+                "at the upper sine."),
 ]
 
 # ---- Exercise 2: the tip when the tool points straight down -------------------------
@@ -94,7 +117,25 @@ _LENGTHS = dict(d_1=_D1, a_2=_A2, a_3=_A3, d_5=_D5)  # for students who write sy
 _TIP_POINTS = [dict(zip(("theta_1", "theta_2", "theta_3"), q))
                for q in ((0.3, -0.5, 0.8), (-1.1, 0.4, 0.6), (2.0, 0.9, -1.3))]
 
-_TIP_SLIPS = [
+
+
+def _forearm(across: Callable, down: Callable) -> Callable:
+    """The tip with other formulas for the forearm's C23 and S23."""
+    return lambda q1, q2, q3: _at(q1, _A2 * cos(q2) + _A3 * across(q2, q3),
+                                  _D1 - _A2 * sin(q2) - _A3 * down(q2, q3) - _D5)
+
+
+def _forearm_slips(message: str, across: Callable, down: Callable) -> list[Slip]:
+    """A slip in the reach, in the height, or in both."""
+    def c23(q2: float, q3: float) -> float:
+        return cos(q2 + q3)
+
+    def s23(q2: float, q3: float) -> float:
+        return sin(q2 + q3)
+    return [(message, _forearm(*pair)) for pair in ((across, down), (across, s23), (c23, down))]
+
+
+_TIP_SLIPS: list[Slip] = [
     ("This is the wrist: the tool, d5 = 129.5 mm, is forgotten.",
      lambda q1, q2, q3: _at(q1, _out(q2, q3), _D1 - _drop(q2, q3))),
     ("The tool hangs down from the wrist, so d5 lowers the tip.",
@@ -103,12 +144,24 @@ _TIP_SLIPS = [
      lambda q1, q2, q3: _at(q1, _out(q2, q3) + _D5, _D1 - _drop(q2, q3))),
     ("Positive angles of joints 2 and 3 lower the arm: their sines are subtracted.",
      lambda q1, q2, q3: _at(q1, _out(q2, q3), _D1 + _drop(q2, q3) - _D5)),
-    ("The forearm is turned by theta_2 + theta_3, not by theta_3 alone.",
-     lambda q1, q2, q3: _at(q1, _A2 * cos(q2) + _A3 * cos(q3),
-                            _D1 - _A2 * sin(q2) - _A3 * sin(q3) - _D5)),
-    ("C23 is cos(theta_2 + theta_3), not a product of two cosines.",
-     lambda q1, q2, q3: _at(q1, _A2 * cos(q2) + _A3 * cos(q2) * cos(q3),
-                            _D1 - _drop(q2, q3) - _D5)),
+    *_forearm_slips("The forearm is turned by theta_2 + theta_3, not by theta_3 alone.",
+                    lambda q2, q3: cos(q3), lambda q2, q3: sin(q3)),
+    *_forearm_slips("C23 is cos(theta_2 + theta_3), not a product of two cosines.",
+                    lambda q2, q3: cos(q2) * cos(q3), lambda q2, q3: sin(q2) * sin(q3)),
+    *_forearm_slips("C23 is cos(theta_2 + theta_3), not cos(theta_2) + cos(theta_3).",
+                    lambda q2, q3: cos(q2) + cos(q3), lambda q2, q3: sin(q2) + sin(q3)),
+    *_forearm_slips("The forearm is turned by theta_2 + theta_3, not by their difference.",
+                    lambda q2, q3: cos(q2 - q3), lambda q2, q3: sin(q2 - q3)),
+    ("The forearm, a3 = 177.8 mm, is forgotten.",
+     _forearm(lambda q2, q3: 0, lambda q2, q3: 0)),
+    ("The upper arm, a2 = 177.8 mm, is forgotten.",
+     lambda q1, q2, q3: _at(q1, _A3 * cos(q2 + q3), _D1 - _A3 * sin(q2 + q3) - _D5)),
+    ("The height of the shoulder, d1 = 215 mm, is missing in p_z.",
+     lambda q1, q2, q3: _at(q1, _out(q2, q3), -_drop(q2, q3) - _D5)),
+    ("p_x and p_y lack joint 1: the reach is turned by theta_1.",
+     lambda q1, q2, q3: [_out(q2, q3), 0, _D1 - _drop(q2, q3) - _D5]),
+    ("Sines and cosines of joints 2 and 3 have changed places.",
+     lambda q1, q2, q3: _at(q1, _drop(q2, q3), _D1 - _out(q2, q3) - _D5)),
     ("p_x and p_y have changed places.",
      lambda q1, q2, q3: _tip_below(q1, q2, q3)[[1, 0, 2]]),
     ("Lengths are in millimetres.", lambda q1, q2, q3: _tip_below(q1, q2, q3) / 1000),
@@ -134,12 +187,15 @@ _JOINT_HINTS = {
 
 # ---- Exercise 4: touch the table, tool straight down --------------------------------
 
+# mm. A slider stops at tenths of a degree, and a tenth of joint 2 moves the tip by up to 0.6 mm.
+TOUCH = 0.5
+
 
 def _on_the_table(q: np.ndarray) -> str:
     z = kinematics.forward_kinematics(_ALPHA_II, q)[2, 3]
     side = "above" if z > 0 else "below"
-    return "" if abs(z) <= 0.1 else (f"The tool points straight down, but its tip is "
-                                     f"{abs(z):.4g} mm {side} the table; 0.1 mm is allowed.")
+    return "" if abs(z) <= TOUCH else (f"The tool points straight down, but its tip is "
+                                       f"{abs(z):.4g} mm {side} the table; {TOUCH} mm is allowed.")
 
 
 _DOWN = straight_down(_ALPHA_II)
@@ -148,7 +204,7 @@ _TABLE_SLIPS = [
     degrees_slip(_TABLE),
     ("It points straight up.", lambda q: not _DOWN(q + [0, 0, 0, pi, 0])),
     ("It is the wrist that touches the table: the tip is d5 = 129.5 mm farther on.",
-     lambda q: abs(kinematics.link_frames(_ALPHA_II, q)[3, 2, 3]) <= 0.1),
+     lambda q: abs(kinematics.link_frames(_ALPHA_II, q)[3, 2, 3]) <= TOUCH),
     ("The sign of theta_4 is wrong.", lambda q: meet(_TABLE, q * [1, 1, 1, -1, 1])),
 ]
 

@@ -1,12 +1,12 @@
 """Appendix, the lectures' misprints: what it asks, its exercises' references and slips."""
 from __future__ import annotations
 
-from math import cos, sin
+from math import cos, pi, sin
 from typing import Any
 
 import numpy as np
 
-from ..answers.conditions import degrees_slip, one_of_many
+from ..answers.conditions import one_of_many
 from ..answers.judges import Judge, choices, expressions
 from ..answers.prediction import Asked, Mark, Number
 from ..arms import inputs, robots
@@ -130,11 +130,30 @@ _COLUMN_SLIPS = [
     ("This is the last column of the modified matrix.",
      lambda t, d, a, al: [a, -d * sin(al), d * cos(al)]),
     ("a and d have changed places.", lambda t, d, a, al: [d * cos(t), d * sin(t), a]),
+    ("a lies along x after the turn by theta: its parts are a cos(theta) and a sin(theta).",
+     lambda t, d, a, al: [a, 0, d]),
+    ("The sign of theta is wrong.", lambda t, d, a, al: [a * cos(t), -a * sin(t), d]),
+    ("d is the third component: it is a slide along the old z.",
+     lambda t, d, a, al: [a * cos(t), a * sin(t), 0]),
+    ("d lies along the old z, which alpha does not tilt: alpha comes last.",
+     lambda t, d, a, al: [a * cos(t), a * sin(t), d * cos(al)]),
+    ("Theta and alpha have changed places.", lambda t, d, a, al: [a * cos(al), a * sin(al), d]),
+    ("This is the first column of the rotation; the last column holds the slides.",
+     lambda t, d, a, al: [cos(t), sin(t), 0]),
 ]
 
 
 def _four_twists(answer: Any) -> np.ndarray:
     return inputs.shaped("twists", answer, (4,), "four angles in radians")
+
+
+def _in_radians(twists: np.ndarray) -> str:
+    """Equal angles in degrees have equal cosines in radians, too: nothing else would tell."""
+    far = np.flatnonzero(np.abs(twists) > 2 * pi)
+    if not len(far) or not np.allclose(twists, np.round(twists, 1), rtol=0, atol=1e-9):
+        return ""
+    return (f"alpha_{far[0]} is {twists[far[0]]:g}. That looks like degrees: write "
+            "np.radians([...]).")
 
 
 def _none_zero(twists: np.ndarray) -> str:
@@ -152,7 +171,6 @@ def _hidden(twists: np.ndarray) -> str:
 
 
 _TWIST_SLIPS = [
-    degrees_slip(hint="write np.radians([...])"),
     ("Different twists can hide it, too, but their cosines must be equal.",
      lambda twists: len(np.unique(np.round(np.abs(twists), 9))) == 4),
 ]
@@ -169,6 +187,6 @@ JUDGES: dict[str, Judge] = {
         ("p_x", "p_y", "p_z"), _column, _LINKS, constants={}, slips=_COLUMN_SLIPS,
         praise="The last column holds no alpha."),
     "errata.3": one_of_many(
-        _four_twists, (_none_zero, _hidden), slips=_TWIST_SLIPS,
+        _four_twists, (_in_radians, _none_zero, _hidden), slips=_TWIST_SLIPS, noun="four twists",
         praise="Equal cosines hide the slip, in every pose. A test needs a case that can fail."),
 }

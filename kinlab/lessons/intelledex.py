@@ -51,11 +51,18 @@ _TABLE_SLIPS = [
 
 def _wrist(t1: float, t2: float, t3: float, t4: float, *, height: float = 373.4,
            forearm: Callable = lambda t3, t4: t3 + t4, forearm_length: float = 304.8,
-           side: int = 1) -> list[float]:
-    out = 304.8 * cos(t3) + forearm_length * cos(forearm(t3, t4))
-    along = 304.8 * sin(t3) + forearm_length * sin(forearm(t3, t4))
+           upper_arm: float = 304.8, side: int = 1, c34: Callable | None = None,
+           s34: Callable | None = None) -> list[float]:
+    swing = forearm(t3, t4)
+    out = upper_arm * cos(t3) + forearm_length * (c34(t3, t4) if c34 else cos(swing))
+    along = upper_arm * sin(t3) + forearm_length * (s34(t3, t4) if s34 else sin(swing))
     return [out * cos(t1) * cos(t2) + side * along * sin(t1),
             out * sin(t1) * cos(t2) - side * along * cos(t1), height + out * sin(t2)]
+
+
+def _some(c34: Callable, s34: Callable) -> list[tuple]:
+    """A wrong formula for the cosine, for the sine, or for both."""
+    return [(c34, s34), (c34, None), (None, s34)]
 
 
 _WRIST_POINTS = [dict(zip(_JOINTS, q)) for q in
@@ -66,6 +73,22 @@ _WRIST_SLIPS: list[Slip] = [
      partial(_wrist, forearm=lambda t3, t4: t4)),
     ("The forearm is turned by theta_3 + theta_4, not by theta_3 alone.",
      partial(_wrist, forearm=lambda t3, t4: t3)),
+    *(("The forearm is turned by theta_3 + theta_4: C34 is the cosine of the sum, not the sum of "
+       "two cosines.", partial(_wrist, c34=c34, s34=s34)) for c34, s34 in _some(
+           lambda t3, t4: cos(t3) + cos(t4), lambda t3, t4: sin(t3) + sin(t4))),
+    *(("C34 is cos(theta_3 + theta_4), not a product of two cosines.",
+       partial(_wrist, c34=c34, s34=s34)) for c34, s34 in _some(
+           lambda t3, t4: cos(t3) * cos(t4), lambda t3, t4: sin(t3) * sin(t4))),
+    ("The upper arm is forgotten: joint 3 swings a3 = 304.8.", partial(_wrist, upper_arm=0.0)),
+    ("This is the tip of a tool held straight; the wrist is where the forearm ends.",
+     partial(_wrist, forearm_length=304.8 + 228.6)),
+    ("The roll of the shoulder, theta_2, is left out: it tilts the plane in which the arm bends.",
+     lambda t1, t2, t3, t4: _wrist(t1, 0, t3, t4)),
+    ("Joint 1 is left out: it turns the whole arm about the vertical.",
+     lambda t1, t2, t3, t4: _wrist(0, t2, t3, t4)),
+    ("theta_1 and theta_2 have changed places.", lambda t1, t2, t3, t4: _wrist(t2, t1, t3, t4)),
+    ("The sign in w_z is wrong: u = (C1 C2, S1 C2, S2), so the part along u adds to the height.",
+     lambda t1, t2, t3, t4: _wrist(t1, -t2, t3, t4)),
     ("The height of the shoulder, 373.4, is missing in w_z.", partial(_wrist, height=0.0)),
     ("The sign of the part along v is wrong: v = (S1, -C1, 0).", partial(_wrist, side=-1)),
     ("The components w_x and w_y have changed places.",
@@ -121,6 +144,9 @@ _YAW = (_wrist_stays, _points_left)
 _YAW_SLIPS = [
     degrees_slip(_YAW, 4 * pi),
     ("It points 45° to the right; joint 5 turns the other way.", _points_right),
+    ("The tool is still in line with the forearm, as it is at theta_5 = 90°. Bend it from there.",
+     lambda q: not _wrist_stays(q) and np.allclose(
+         kinematics.forward_kinematics(_ARM, q)[:3, 2], [1, 0, 0], atol=1e-4)),
     ("Without a roll of the shoulder the tool can only nod up and down.",
      lambda q: not _wrist_stays(q) and abs(cos(q[1])) < 1e-6),
     ("Turning the base swings the whole arm. The wrist has to stay.",

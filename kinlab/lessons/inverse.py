@@ -7,8 +7,16 @@ from typing import Any
 
 import numpy as np
 
-from ..answers.conditions import degrees_slip, one_of_many, one_pose, straight_down, within_limits
+from ..answers.conditions import (
+    degrees_slip,
+    meet,
+    one_of_many,
+    one_pose,
+    straight_down,
+    within_limits,
+)
 from ..answers.judges import Judge, choices, function
+from ..answers.matrices import BY_ENTRY
 from ..arms import inputs, kinematics, robots
 
 _TWO, _ALPHA_II = robots.two_link(), robots.alpha_ii()
@@ -37,6 +45,33 @@ def _newton(step: Callable, fresh: bool = True) -> Callable:
 
 _SOLVED = _newton(np.linalg.solve)
 
+
+def _all_from_the_start(q: np.ndarray, target: np.ndarray, steps: int) -> np.ndarray:
+    q = np.array(q, dtype=float)
+    return q + steps * np.linalg.solve(_jacobian(q), np.array(target) - _tool(q))
+
+
+def _error_from_the_start(q: np.ndarray, target: np.ndarray, steps: int) -> np.ndarray:
+    q = np.array(q, dtype=float)
+    e = np.array(target) - _tool(q)
+    for _ in range(steps):
+        q = q + np.linalg.solve(_jacobian(q), e)
+    return q
+
+
+def _with_all_rows(q: np.ndarray, target: np.ndarray, steps: int) -> np.ndarray:
+    """The pseudoinverse of all six rows asks for a tool that does not turn, too."""
+    q = np.array(q, dtype=float)
+    for _ in range(steps):
+        e = np.append(np.array(target) - _tool(q), np.zeros(4))
+        q = q + np.linalg.pinv(kinematics.jacobian(_TWO, q)) @ e
+    return q
+
+
+def _last_step(q: np.ndarray, target: np.ndarray, steps: int) -> np.ndarray:
+    before = _SOLVED(q, target, steps - 1)
+    return _SOLVED(before, target, 1) - before
+
 _NEWTON_CASES = [{"q": np.array(q), "target": np.array(target), "steps": steps}
                  for q, target, steps in (([0.2, 0.8], [0.9, 1.2], 1),
                                           ([1.0, -1.2], [1.2, -0.3], 2),
@@ -52,8 +87,27 @@ _NEWTON_SLIPS = [
      _newton(lambda J, e: np.linalg.solve(J.T, e))),
     ("J is computed once. The arm moves: take J afresh in each step.",
      _newton(np.linalg.solve, fresh=False)),
-    ("Only one step is taken, whatever `steps` says.",
+    ("J and the error are computed once. The arm moves: take both afresh in each step, inside the "
+     "loop.", _all_from_the_start),
+    ("The error is computed once. The tool moves: take the error afresh in each step.",
+     _error_from_the_start),
+    ("Only one step is taken, whatever `steps` says. Does return stand inside the loop?",
      lambda q, target, steps: _SOLVED(q, target, 1)),
+    ("That is one step too many: range(steps) counts them.",
+     lambda q, target, steps: _SOLVED(q, target, steps + 1)),
+    ("That is one step too few: range(steps) counts them.",
+     lambda q, target, steps: _SOLVED(q, target, steps - 1)),
+    ("It goes on until it arrives. Take `steps` steps, no more.",
+     lambda q, target, steps: _SOLVED(q, target, 50)),
+    ("It does not move: return the joint values after the steps.",
+     lambda q, target, steps: q),
+    ("It begins at zero. Begin at the q that you were given.",
+     lambda q, target, steps: _SOLVED(0 * q + [0, 1e-9], target, steps)),
+    ("J has six rows. Take the first two, those of x and y; the others would hold the tool's "
+     "direction.", _with_all_rows),
+    ("This is the last step alone. Add it to q.", _last_step),
+    ("Half a step is taken each time; Newton's method takes whole ones.",
+     _newton(lambda J, e: np.linalg.solve(J, e) / 2)),
     ("The step is added in degrees; q is in radians.",
      _newton(lambda J, e: np.degrees(np.linalg.solve(J, e)))),
     ("This is the sum of the steps. Add them to the q that you were given.",
@@ -65,6 +119,21 @@ _NEWTON_SLIPS = [
 
 def _damped(J: np.ndarray, e: np.ndarray, damping: float) -> np.ndarray:
     return J.T @ np.linalg.solve(J @ J.T + damping**2 * np.eye(len(e)), e)
+
+
+def _factors_exchanged(J: np.ndarray, e: np.ndarray, damping: float) -> np.ndarray:
+    """It works for a square J only."""
+    return np.linalg.solve(J @ J.T + damping**2 * np.eye(len(J)), J.T @ e)
+
+
+def _grams_exchanged(J: np.ndarray, e: np.ndarray, damping: float) -> np.ndarray:
+    """It works for a square J only."""
+    return J.T @ np.linalg.solve(J.T @ J + damping**2 * np.eye(J.shape[1]), e)
+
+
+def _damping_in_j(J: np.ndarray, e: np.ndarray, damping: float) -> np.ndarray:
+    wider = J + damping**2 * np.eye(*J.shape)
+    return J.T @ np.linalg.solve(wider @ wider.T, e)
 
 
 _DAMPED_CASES = [
@@ -84,6 +153,17 @@ _DAMPED_SLIPS = [
      lambda J, e, damping: -_damped(J, e, damping)),
     ("The damping is added to every entry; it belongs on the diagonal, so take np.eye.",
      lambda J, e, damping: J.T @ np.linalg.pinv(J @ J.T + damping**2) @ e),
+    ("The factors have changed places: J^T stands on the left of the inverse.", _factors_exchanged),
+    ("The factors have changed places: the bracket holds J J^T, which has as many rows as e.",
+     _grams_exchanged),
+    ("The bracket is not inverted: np.linalg.solve(bracket, e), or np.linalg.inv(bracket) @ e.",
+     lambda J, e, damping: J.T @ (J @ J.T + damping**2 * np.eye(len(e))) @ e),
+    ("The damping is subtracted; it is added.", lambda J, e, damping: J.T @ np.linalg.solve(
+        J @ J.T - damping**2 * np.eye(len(e)), e)),
+    ("The damping should make the bracket larger: lambda² I is added to J J^T, not to J.",
+     _damping_in_j),
+    (BY_ENTRY, lambda J, e, damping: J.T @ np.linalg.solve(
+        J * J + damping**2 * np.eye(len(e)), e)),
 ]
 
 # ---- Exercise 3: which joints move the tip of the stretched Alpha II ----------------------
@@ -126,6 +206,21 @@ def _on_both_sides(pair: np.ndarray) -> str:
                                      "the second should bend the other way.")
 
 
+def _either(change: Callable[[np.ndarray], np.ndarray]) -> Callable[[np.ndarray], bool]:
+    """Whether the pair is right after a change."""
+    return lambda pair: meet((_both_reach, _on_both_sides), change(pair))
+
+
+def _with_relative_elbow(pair: np.ndarray) -> np.ndarray:
+    return np.column_stack([pair[:, 0], pair[:, 1] - pair[:, 0]])
+
+
+def _halved(pair: np.ndarray) -> np.ndarray:
+    """The pair, if the first angles were a whole bend from the line to the point."""
+    middle = pair[:, 0].mean()
+    return np.column_stack([middle + (pair[:, 0] - middle) / 2, pair[:, 1]])
+
+
 def _other_elbow(pair: np.ndarray) -> bool:
     return np.isclose(pair[0, 0], pair[1, 0]) and np.isclose(pair[0, 1], -pair[1, 1])
 
@@ -133,27 +228,57 @@ def _other_elbow(pair: np.ndarray) -> bool:
 _PAIR_SLIPS = [
     degrees_slip((_both_reach,), subject="These", hint="write np.radians([...])"),
     ("Bending the elbow the other way moves the tool, unless joint 1 turns as well.", _other_elbow),
+    ("Rows and columns have changed places: each row is one answer, (theta_1, theta_2).",
+     _either(np.transpose)),
+    ("theta_1 comes first in each row, then theta_2.", _either(lambda pair: pair[:, ::-1])),
+    ("The elbow bends to the wrong side: with theta_2 above 0 link 1 lies below the line to the "
+     "point.", _either(lambda pair: pair * [1, -1])),
+    ("Link 1 is half the bend away from the line to the point, for the links are equally long.",
+     _either(_halved)),
+    ("theta_2 is counted from link 1, not from the x axis.", _either(_with_relative_elbow)),
+    ("That is the angle between the links. theta_2 is what is missing to a straight arm.",
+     _either(lambda pair: np.column_stack([pair[:, 0], np.sign(pair[:, 1]) * np.pi - pair[:, 1]]))),
 ]
 
 # ---- Exercise 5: the Alpha II from above --------------------------------------------------
 
-PLACE = np.array([250.0, 150.0, 60.0])  # mm
+# mm. From soft home a search for the mere point ends with the tool 39° from straight down, so the
+# exercise tells a target that is a point from one that is a pose.
+PLACE = np.array([120.0, 100.0, 40.0])
+NEAR = 0.5  # mm, as near as sliders bring it that stop at tenths of a degree
 
 
 def _there(q: np.ndarray) -> str:
     miss = float(np.linalg.norm(kinematics.forward_kinematics(_ALPHA_II, q)[:3, 3] - PLACE))
-    return "" if miss <= 0.1 else f"The tip is {miss:.4g} mm from the part; 0.1 mm is allowed."
+    return "" if miss <= NEAR else (f"The tip is {miss:.4g} mm from the part at (120, 100, 40); "
+                                    f"{NEAR} mm is allowed.")
+
+
+def _misses(q: np.ndarray, point: np.ndarray) -> bool:
+    """Whether the tip is at another point than the part's."""
+    return bool(np.linalg.norm(kinematics.forward_kinematics(_ALPHA_II, q)[:3, 3] - point) <= NEAR)
+
+
+def _approach(q: np.ndarray) -> np.ndarray:
+    return kinematics.forward_kinematics(_ALPHA_II, q)[:3, 2]
 
 
 _PICK = (within_limits(_ALPHA_II), straight_down(_ALPHA_II), _there)
 _PICK_SLIPS = [
     degrees_slip(_PICK, hint="q is in radians"),
-    ("The tip is in place. A target that is only a point says nothing of the tool's direction: "
-     "hand over a whole pose.", lambda q: not _there(q)),
-    ("The tool points up: the third column of the target's rotation is the approach vector.",
-     lambda q: kinematics.forward_kinematics(_ALPHA_II, q)[2, 2] > 0.99),
+    ("The tip is in place, but the tool leans. A target that is only a point says nothing of the "
+     "tool's direction: hand over a whole pose.", lambda q: not _there(q)),
+    ("The tool points up: the third column of the target's rotation is the approach vector, and "
+     "down is (0, 0, -1).", lambda q: _approach(q)[2] > 0.99),
+    ("The tool lies level. The third column of the target's rotation is the approach vector: down "
+     "is (0, 0, -1).", lambda q: abs(_approach(q)[2]) < 0.01),
+    ("It points straight down, beside the part: x and y have changed places.",
+     lambda q: _misses(q, PLACE[[1, 0, 2]])),
+    ("It points straight down, on the other side: look at the signs of x and y.",
+     lambda q: any(_misses(q, PLACE * signs) for signs in ([1, -1, 1], [-1, 1, 1], [-1, -1, 1]))),
+    ("Lengths of the Alpha II are in millimetres.", lambda q: _misses(q, PLACE / 1000)),
     (f"The wrist is at the part, not the tip, which is {_ALPHA_II.links[4].d} mm farther on.",
-     lambda q: np.linalg.norm(kinematics.link_frames(_ALPHA_II, q)[3, :3, 3] - PLACE) < 0.1),
+     lambda q: np.linalg.norm(kinematics.link_frames(_ALPHA_II, q)[3, :3, 3] - PLACE) < NEAR),
 ]
 
 JUDGES: dict[str, Judge] = {

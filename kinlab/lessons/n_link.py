@@ -11,10 +11,18 @@ import numpy as np
 
 from ..answers.conditions import degrees_slip, meet, one_of_many, one_pose
 from ..answers.judges import Judge, Slip, function, is_stub
-from ..answers.matrices import link_matrix, matrix_entry, matrix_place
+from ..answers.matrices import (
+    BY_ENTRY,
+    entry_by_entry,
+    link_matrix,
+    matrix_entry,
+    matrix_place,
+    motions,
+    sign_slips,
+)
 from ..answers.table_judge import column, table, with_columns
 from ..answers.verdict import Verdict
-from ..arms import euler, kinematics, robots
+from ..arms import euler, inputs, kinematics, robots
 from ..arms.arm import Arm
 from .asked.n_link import PREDICTIONS
 from .views.four_motions import four_motions
@@ -65,6 +73,20 @@ _LINK_SLIPS: list[Slip] = [
      lambda al, a, d, t: _with(_M(al, a, d, t), 2, 2, np.cos(t))),
     ("The slide d goes along the new z, which alpha has tilted: it enters rows 2 and 3.",
      lambda al, a, d, t: _with(_M(al, a, 0, t), 2, 3, d)),
+    ("The last column is that of the standard matrix. Here the slide along x comes before the turn "
+     "by theta, so the column begins with a.", lambda al, a, d, t: np.column_stack(
+         [_M(al, a, d, t)[:, :3], _standard(al, a, d, t)[:, 3]])),
+    ("theta and alpha have changed places: theta turns about z, alpha about x.",
+     lambda al, a, d, t: _M(t, a, d, al)),
+    ("Sine and cosine of theta have changed places.", lambda al, a, d, t: _M(al, a, d, pi / 2 - t)),
+    ("Sine and cosine of alpha have changed places.", lambda al, a, d, t: _M(pi / 2 - al, a, d, t)),
+    ("The slide a along x is left out.", lambda al, a, d, t: _M(al, 0, d, t)),
+    ("The slide d along z is left out.", lambda al, a, d, t: _M(al, a, 0, t)),
+    (BY_ENTRY, lambda al, a, d, t: entry_by_entry(motions(t, d, a, al))),
+    (BY_ENTRY, lambda al, a, d, t: entry_by_entry([_M(al, a, 0, 0), _M(0, 0, d, t)])),
+    *sign_slips(_M, [[(1, 2), (1, 3)], [(2, 0), (2, 1)]],
+                "The sign of sin(alpha) is wrong in one of its rows: in Rx(alpha) the minus stands "
+                "at the upper sine."),
 ]
 
 # ---- Exercise 2: n links ---------------------------------------------------------------
@@ -89,16 +111,30 @@ def _task(*q: float) -> tuple[np.ndarray, np.ndarray]:
 
 
 def _answer(*q: float, link: Callable = _M, tool: Any = (1, 1, 1), order: int = 1,
-            links: slice = slice(None)) -> np.ndarray:
+            links: slice = slice(None), times: Callable = np.matmul,
+            point: Callable = lambda T, tool: T @ [*tool, 1], end: Any = 0) -> np.ndarray:
+    """T and p side by side; `end` is the part of the tool that T already holds."""
     table, vector = _task(*q)
-    T = reduce(np.matmul, [link(*row) for row in table[links]][::order], np.eye(4))
-    return np.column_stack([T, T @ [*(vector * tool), 1]])
+    T = reduce(times, [link(*row) for row in table[links]][::order], np.eye(4))
+    T = T @ _slid(vector * end)
+    return np.column_stack([T, np.append(point(T, vector * tool), 1)[:4]])
 
 
-def _tool_unturned(*q: float) -> np.ndarray:
-    joined = _answer(*q, tool=0)
-    joined[:3, 4] += _task(*q)[1]
-    return joined
+def _slid(o: Any) -> np.ndarray:
+    T = np.eye(4)
+    T[:3, 3] = o
+    return T
+
+
+def _tool_unturned(T: np.ndarray, tool: np.ndarray) -> np.ndarray:
+    return T[:3, 3] + tool
+
+
+def _from_first_link(*q: float) -> np.ndarray:
+    """`*` for `@` without an identity before it."""
+    table, vector = _task(*q)
+    T = entry_by_entry([_M(*row) for row in table])
+    return np.column_stack([T, np.append((T @ [*vector, 1])[:3], 1)])
 
 
 def _as_printed(*q: float) -> np.ndarray:
@@ -114,19 +150,53 @@ def _joined(result: Any) -> Any:
     if is_stub(result):
         return result
     if not isinstance(result, (tuple, list)) or len(result) != 2:
-        raise ValueError("expected two results; end with return T, p")
-    T, p = (np.asarray(part, dtype=float) for part in result)
-    if T.shape != (4, 4) or p.shape not in ((3,), (4,)):
-        raise ValueError(f"expected T of shape (4, 4) and p of shape (3,), got {T.shape} and "
-                         f"{p.shape}")
-    return np.column_stack([T, [*p[:3], 1]])
+        raise ValueError(f"two results are asked for, T and p; your function gave "
+                         f"{_how_many(result)}. End with return T, p")
+    T, p = result
+    if np.shape(T) in ((3,), (3, 1), (4,), (4, 1)) and np.shape(p) == (4, 4):
+        raise ValueError("T and p have changed places: end with return T, p")
+    return np.column_stack([_matrix(T), np.append(_point(p), 1)])
+
+
+def _how_many(result: Any) -> str:
+    if isinstance(result, (tuple, list)):
+        return str(len(result))
+    return "one, a matrix" if np.shape(result) == (4, 4) else "one"
+
+
+def _matrix(T: Any) -> np.ndarray:
+    if np.shape(T) != (4, 4):
+        raise ValueError(f"T should be a 4x4 matrix; yours is {_size(T)}")
+    return inputs.real_array("T", T, "a 4x4 matrix of numbers")
+
+
+def _point(p: Any) -> np.ndarray:
+    """Three numbers, in a row or in a column, with or without the 1 behind them."""
+    if np.shape(p) not in ((3,), (4,), (3, 1), (4, 1)):
+        raise ValueError(f"p should be three numbers; yours is {_size(p)}")
+    return inputs.real_array("p", p, "three numbers").ravel()[:3]
+
+
+def _size(value: Any) -> str:
+    shape = np.shape(value)
+    return f"a matrix of {shape[0]} x {shape[1]}" if len(shape) == 2 else (
+        f"a list of {shape[0]}" if len(shape) == 1 else inputs.brief(value))
 
 
 _CHAIN_SLIPS: list[Slip] = [
     ("T is right, but p is the origin of frame n: the tool vector is forgotten.",
      partial(_answer, tool=0)),
     ("T is right, but the tool vector is given in frame n: turn it by R before you add it to o.",
-     _tool_unturned),
+     partial(_answer, point=_tool_unturned)),
+    ("p lacks the origin of frame n: the fourth number of a point is 1, that of a direction 0.",
+     partial(_answer, point=lambda T, tool: (T @ [*tool, 0])[:3])),
+    ("p is right, but T reaches to the tip. It should end at frame n, so the tool vector stays "
+     "outside.", partial(_answer, tool=0, end=1)),
+    ("The tool vector is counted twice: once in T, and once in p.", partial(_answer, end=1)),
+    ("p is right, but T is transposed.", lambda *q: np.column_stack(
+        [_answer(*q)[:, :4].T, _answer(*q)[:, 4]])),
+    (BY_ENTRY, partial(_answer, times=np.multiply)),
+    (BY_ENTRY, _from_first_link),
     ("The link matrix is the standard one; the table is modified.",
      partial(_answer, link=_standard)),
     ("The angles arrive in radians; do not convert them.", partial(_answer, link=_in_degrees)),
@@ -136,6 +206,12 @@ _CHAIN_SLIPS: list[Slip] = [
      partial(_answer, order=-1)),
     ("The last link is missing.", partial(_answer, links=slice(None, -1))),
     ("The first link is missing.", partial(_answer, links=slice(1, None))),
+    ("Only the first two rows of the table are used. Take as many as there are.",
+     partial(_answer, links=slice(2))),
+    ("This is the last link alone: multiply what you have by the next one.",
+     partial(_answer, links=slice(-1, None))),
+    ("The columns of a row are alpha, a, d, theta, in this order.",
+     partial(_answer, link=lambda *row: _M(*row[::-1]))),
 ]
 
 
@@ -208,10 +284,36 @@ def _second(psi: Callable) -> Callable:
     return wrong
 
 
-def _psi_unsigned(*angles: float) -> np.ndarray:
-    R, branches = euler.zyz_matrix(*angles), _branches(*angles)
-    branches[0, 2] = np.arctan2(R[2, 1], R[2, 0])
-    return branches
+def _first(psi: Callable) -> Callable:
+    """Both branches, with another formula for psi of the first one."""
+    def wrong(*angles: float) -> np.ndarray:
+        branches = _branches(*angles)
+        branches[0, 2] = psi(euler.zyz_matrix(*angles))
+        return branches
+    return wrong
+
+
+def _changed(change: Callable, *columns: int, rows: Any = slice(None)) -> Callable:
+    """Both branches, with some angles changed in some of them."""
+    def wrong(*angles: float) -> np.ndarray:
+        branches = _branches(*angles)
+        for k in columns:
+            branches[rows, k] = change(branches[rows, k])
+        return branches
+    return wrong
+
+
+def _quadrant_lost(angle: np.ndarray) -> np.ndarray:
+    """What arctan(y / x) makes of the angle that arctan2(y, x) gives."""
+    return np.arctan(np.tan(angle))
+
+
+def _signs_lost(angles: np.ndarray) -> np.ndarray:
+    return np.arcsin(np.sin(angles))
+
+
+_SOME = [(0,), (1,), (2,), (0, 1), (0, 2), (1, 2), (0, 1, 2)]
+_ROWS = (slice(None), slice(1), slice(1, None))
 
 
 _ZYZ_SLIPS = [
@@ -219,7 +321,21 @@ _ZYZ_SLIPS = [
      "entries come from the last row.", _second(lambda R: np.arctan2(-R[1, 2], R[2, 0]))),
     ("psi of the second branch is that of the first. Both signs of its arguments turn round.",
      _second(lambda R: np.arctan2(R[2, 1], -R[2, 0]))),
-    ("psi of the first branch is atan2(r32, -r31): the minus is missing.", _psi_unsigned),
+    ("psi of the first branch is atan2(r32, -r31): the minus is missing.",
+     _first(lambda R: np.arctan2(R[2, 1], R[2, 0]))),
+    ("psi of the first branch is atan2(r32, -r31): the first argument is y, the second one x.",
+     _first(lambda R: np.arctan2(-R[2, 0], R[2, 1]))),
+    ("The second branch is the first with theta turned round alone. phi and psi change by half a "
+     "turn as well.", lambda *q: _branches(*q)[[0, 0]] * [[1, 1, 1], [1, -1, 1]]),
+    ("theta is the same in both branches. In the second its sine is negative: atan2(-s, r33).",
+     _changed(np.negative, 1, rows=slice(1, None))),
+    ("atan2 takes y first, then x: np.arctan2(r23, r13).", _changed(lambda q: pi / 2 - q, 0)),
+    *((f"arctan({y} / {x}) cannot tell opposite directions apart. Take np.arctan2({y}, {x}), which "
+       "looks at both signs.", _changed(_quadrant_lost, *some, rows=rows))
+      for rows in _ROWS for some in _SOME
+      for y, x in [(("r23", "r13"), ("s", "r33"), ("r32", "-r31"))[some[0]]]),
+    ("arcsin cannot tell 80° from 100°. Take atan2(s, r33), which knows the cosine, too.",
+     _changed(_signs_lost, 1)),
     ("The angles are in degrees; leave them in radians.", lambda *q: np.degrees(_branches(*q))),
     ("The branches have changed places: sin(theta) > 0 comes first.",
      lambda *q: _branches(*q)[::-1]),
@@ -241,10 +357,11 @@ def _off_vertical(q: np.ndarray) -> float:
     return degrees(np.arctan2(np.hypot(x, y), z))
 
 
-def _within_a_turn(q: np.ndarray) -> str:
+def _in_radians(q: np.ndarray) -> str:
     """Degrees would pass otherwise: the angles' sum is zero in any unit."""
     i = int(np.argmax(np.abs(q)))
-    return "" if abs(q[i]) <= 2 * pi else f"theta_{i + 1} is {q[i]:.4g} rad, over a full turn."
+    return (f"theta_{i + 1} is {q[i]:.4g} rad, more than a full turn."
+            if abs(q[i]) > 2 * pi and meet(_POSED, np.radians(q)) else "")
 
 
 def _straight_up(q: np.ndarray) -> str:
@@ -258,9 +375,10 @@ def _bent(q: np.ndarray) -> str:
         f"theta_5 bends the wrist by {bend:.4g}°; between 30° and 150° are asked for.")
 
 
-_UP = (_within_a_turn, _straight_up, _bent)
+_POSED = (_straight_up, _bent)
+_UP = (_in_radians, *_POSED)
 _UP_SLIPS = [
-    degrees_slip(_UP),
+    degrees_slip(_POSED),
     ("The sign of theta_5 is wrong.", lambda q: meet(_UP, q * [1, 1, 1, 1, -1, 1])),
     ("It points straight down, where r33 = -1.", lambda q: abs(_off_vertical(q) - 180) < 0.01),
     ("With the wrist straight only theta_2 + theta_3 = 0 is left. Bend the wrist, and let joints "

@@ -47,6 +47,17 @@ _RING_SLIPS = [
      _with_area(lambda near, far: 2 * pi * (far - near))),
     ("Nearest and farthest have changed places.", lambda l1, l2: _ring(l1, l2)[[1, 0, 2]]),
     ("These are diameters.", lambda l1, l2: _ring(l1, l2) * [2, 2, 1]),
+    ("The area of a disc is pi r², without a 2.", _with_area(
+        lambda near, far: 2 * pi * (far**2 - near**2))),
+    ("The area of the hole is taken off, not added.", _with_area(
+        lambda near, far: pi * (far**2 + near**2))),
+    ("The area is that of the hole.", _with_area(lambda near, far: pi * near**2)),
+    ("Nearest and farthest are not the two links: folded, the arm is |l_1 - l_2| long, and "
+     "stretched l_1 + l_2.", lambda l1, l2: np.array(
+         [min(l1, l2), max(l1, l2), pi * (max(l1, l2)**2 - min(l1, l2)**2)])),
+    ("Nearest is where the links lie on each other: |l_1 - l_2|. The shorter link alone is not "
+     "enough.", lambda l1, l2: np.array(
+         [min(l1, l2), l1 + l2, pi * ((l1 + l2)**2 - min(l1, l2)**2)])),
 ]
 
 # ---- Exercise 2: an arm for a given ring ----------------------------------------------
@@ -82,6 +93,9 @@ _LENGTH_SLIPS = [
      lambda q: meet(_RADII, 2 * q)),
     ("They are twice what they should be: halve the sum and the difference.",
      lambda q: meet(_RADII, q / 2)),
+    ("Lengths are in metres.", lambda q: meet(_RADII, q / 100) or meet(_RADII, q / 1000)),
+    ("Links of equal length leave no hole: folded, the tool is at the base.",
+     lambda q: np.isclose(q[0], q[1], atol=1e-3)),
 ]
 
 # ---- Exercise 3: a wall ---------------------------------------------------------------
@@ -126,6 +140,12 @@ _WALL_SLIPS = [
      lambda q: np.isclose(q[1], pi / 2, atol=1e-2)),
     ("That is for an elbow that bends as far as it likes; this one stops at 90°.",
      lambda q: np.isclose(q[1], pi - np.arcsin(L2 / L1), atol=1e-3)),
+    ("This is the angle at which the tool appears. The upper limit is where that direction lies "
+     "along the wall: take it from 180°.", lambda q: np.isclose(q[1], _ASKEW, atol=2e-3)),
+    ("Opposite over adjacent: at 90° the tool is l_2 = 0.6 m beside the end of link 1, which is "
+     "l_1 = 1 m long.", lambda q: np.isclose(q[1], pi / 2 + _ASKEW, atol=2e-3)),
+    ("These are the limits for an elbow that bends to the other side.",
+     lambda q: np.allclose(q, [_ASKEW, pi], atol=2e-3)),
 ]
 
 # ---- Exercises 4 and 5: the Alpha II, close to its shoulder and towards a far point -----
@@ -135,6 +155,7 @@ _SHOULDER = np.array([0, 0, _ARM.links[0].d])
 _FORE, _TOOL = _ARM.links[2].a, _ARM.links[4].d
 _CLOSEST = 2 * _FORE * sin((pi - joint_range(_ARM, 2)[1]) / 2) - _TOOL
 TARGET = np.array([600.0, 0.0, 500.0])
+_ABOVE = TARGET[2] - _SHOULDER[2]
 _STRAIGHT = float(np.linalg.norm(TARGET - _SHOULDER)) - 2 * _FORE - _TOOL
 
 
@@ -163,6 +184,8 @@ _FOLD_SLIPS = [
     ("The tool is straight at theta_4 = -90°, not at 0: count its bend from there.",
      lambda q: meet(_NEAR_SHOULDER, q - [0, 0, 0, pi / 2, 0])),
     ("Fold the elbow as far as its limit lets it.", lambda q: q[2] < radians(134)),
+    ("The elbow is folded. Now let the tool point from the wrist to the shoulder: two sides of "
+     "that triangle are equal.", lambda q: abs(q[2] - 3 * pi / 4) < 1e-3),
 ]
 _FAR_SLIPS = [
     degrees_slip(_NEAR_TARGET),
@@ -172,6 +195,12 @@ _FAR_SLIPS = [
      lambda q: np.isclose(q[1], -np.arctan2(TARGET[2], TARGET[0]), atol=1e-3)),
     ("The tool is straight at theta_4 = -90°, not at 0.",
      lambda q: meet(_NEAR_TARGET, q - [0, 0, 0, pi / 2, 0])),
+    ("The target lies straight ahead, at y = 0: joint 1 has nothing to turn.",
+     lambda q: meet(_NEAR_TARGET, q * [0, 1, 1, 1, 1])),
+    ("The angle of a line is atan2(height, distance): the two have changed places.",
+     lambda q: np.isclose(q[1], -np.arctan2(TARGET[0], _ABOVE), atol=1e-3)),
+    ("A bent arm is shorter than a stretched one.",
+     lambda q: abs(np.sin(q[2])) > 0.02 or abs(np.cos(q[3])) > 0.02),
 ]
 
 JUDGES: dict[str, Judge] = {

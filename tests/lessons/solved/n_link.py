@@ -130,7 +130,7 @@ WRONG = [
     ("n_link.2", lambda table, tool: forward(table[:-1], tool), "last link is missing"),
     ("n_link.2", lambda table, tool: forward(table[1:], tool), "first link is missing"),
     ("n_link.2", lambda table, tool: forward(table, tool)[0], "return T, p"),
-    ("n_link.2", lambda table, tool: forward(table, tool)[::-1], "T of shape (4, 4)"),
+    ("n_link.2", lambda table, tool: forward(table, tool)[::-1], "T and p have changed places"),
     ("n_link.2", lambda table, tool: (forward(table, tool)[0], forward(table, tool)[1] + 1),
      "x of p_E should be"),
     ("n_link.2", forward([[0, 0, 0, 0]], [0, 0, 0]), "Expected a function"),
