@@ -12,6 +12,10 @@ def rows(values):
     return values[0] + values[1]
 
 
+def row_and_column(matrix, i, j):
+    return matrix[i, j]
+
+
 # (what a student runs, words of what is said)
 RAISED = [
     (lambda: WIDE @ TWO, "the columns of A must be as many as the rows of B; here 3 and 2"),
@@ -25,7 +29,7 @@ RAISED = [
     (lambda: np.eye(3)[2, 3], "there is no index 3. Python counts from 0, so 3 entries end before"),
     (lambda: [1, 2][2], "an index is too large"),
     (lambda: np.ones(3)[0, 1], "more indices than the array has directions"),
-    (lambda: [[1, 2], [3, 4]][(0, 1)], "make it an array"),
+    (lambda: row_and_column([[1, 2], [3, 4]], 0, 1), "make it an array"),
     (lambda: np.array([[1, 2], [3]]), "rows of an array have different lengths"),
     (lambda: float(np.ones(2)), "where one number is needed"),
     (lambda: rows(1, 2), "it takes 1 arguments and was given 2"),
