@@ -5,8 +5,8 @@ import { ROTATE, roomPoint, travel } from "./frames.js";
 import { clip } from "./steps.js";
 import { cross, dot, minus, partway, plus, times } from "./vectors.js";
 
-/** @import { Elementary, Frame, Item, Motion, Triple } from "./types.js" */
-/** @typedef {{ motions: Motion[], all: Frame[], q: number[] }} Now */
+/** @import { Elementary, Frame, Item, Knob, Motion, Triple } from "./types.js" */
+/** @typedef {{ motions: Motion[], all: Frame[], q: number[], knobs?: Knob[] }} Now */
 
 const ARC_STEP = Math.PI / 60;                      // rad from corner to corner of an arc
 
@@ -68,7 +68,11 @@ const SHAPED = { sweep: sweptCurve, patch: sweptPatch, way: wayGone };
  * @param {Pick<Item, "when">} item
  * @param {number[]} q
  */
-export const isThere = ({ when }, q) => !when || (q[when[0]] >= when[1] && q[when[0]] <= when[2]);
+export function isThere({ when }, q) {
+  if (!when) return true;
+  const [knob, low, high] = when, value = q[knob];
+  return low > high ? value <= high || value >= low : value >= low && value <= high;
+}
 
 /**
  * Points of an item in the room.

@@ -2,6 +2,7 @@
 
 import { onPicture } from "./camera.js";
 import { cornersOf, isThere } from "./curves.js";
+import { valued, write } from "./dom.js";
 import { roomPoint } from "./frames.js";
 import { textSize } from "./labels.js";
 import { OFFSETS, dimmed, faces, hull, pale, shades } from "./solids.js";
@@ -479,6 +480,15 @@ export class Words extends Part {
     this.node = drawn("text", { fill: paint.words ?? paint.fill ?? paint.stroke }, item.text);
     this.group.append(this.leader, this.node);
     this.box = textSize(item.text);
+  }
+
+  /** @param {Now} now */
+  move(now) {
+    super.move(now);
+    const { shape, size: [k] } = this.item, knob = shape === "text" && now.knobs?.[k];
+    if (!knob) return;
+    write(this.node, valued(knob, now.q[k]));
+    this.box = textSize(this.node.textContent ?? "");
   }
 
   /** @param {Lens} lens @param {number[]} picture @returns {Label} */

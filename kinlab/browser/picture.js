@@ -180,8 +180,8 @@ export class Picture {
    * @param {number[]} q
    */
   move(q) {
-    const { motions } = this.scene, all = this.at = frames(motions, q);
-    for (const part of this.parts) part.move({ motions, all, q });
+    const { knobs, motions } = this.scene, all = this.at = frames(motions, q);
+    for (const part of this.parts) part.move({ motions, all, q, knobs });
   }
 
   /**

@@ -73,6 +73,12 @@ class Knob:
         """The unit as it follows a number: '°' at once, others after a space."""
         return self.unit if self.unit in ("", "°") else f" {self.unit}"
 
+    def said(self, value: float) -> str:
+        """Its name with a value in the scene's units, as the browser writes it: "θ₁ = −90.0°"."""
+        shown = f"{value / self.scale:.{self.digits}f}"
+        shown = shown.lstrip("-") if float(shown) == 0 else shown.replace("-", "−")
+        return f"{self.label} = {shown}{self.suffix}"
+
     def within(self, value: float) -> float:
         """The value, or the limit that it is beyond."""
         return min(max(value, self.low), self.high)

@@ -15,7 +15,10 @@ _FINE = math.pi / 60  # rad from corner to corner of an arc: a tenth of a pixel 
 
 def is_there(item: Item, q: Numbers) -> bool:
     """Whether a knob lets an item be seen."""
-    return item.when is None or item.when[1] <= q[item.when[0]] <= item.when[2]
+    if item.when is None:
+        return True
+    knob, low, high = item.when
+    return low <= q[knob] <= high or (low > high and not high < q[knob] < low)
 
 
 def corners(item: Item, motions: Sequence[Any], frames: np.ndarray, q: Numbers) -> np.ndarray:

@@ -8,6 +8,7 @@ from __future__ import annotations
 from typing import NamedTuple, TypedDict
 
 INK, STEEL, FAINT = "#2b3138", "#7d8b99", "#d5dae0"
+HOLDS = "#0f870f"  # of no quantity; what breaks a rule is dashed in the colour of a miss
 
 
 class Colour(NamedTuple):
@@ -104,6 +105,7 @@ PAINTS: dict[str, Paint] = {
     "print": pen("#242c34", 1, fill="#ffffff"),
     **{name: _quantity(name, 1.6) for name in ("angle", "length")},
     "limit": _quantity("angle", 1.6, filled=False, dash=(7, 4)),   # where a joint's angle ends
+    "holds": pen(HOLDS, 2.6) | {"words": HOLDS},              # a rule that is kept
     "point": _quantity("point", 2),
     "target": _quantity("target", 2.2),
     "first": _quantity("first", 2),

@@ -151,7 +151,8 @@ class Item:
     arrow  tail, tip; or its corners, if it
            is bent
     trace  one, whose way is drawn
-    text   one, where the words want to stand
+    text   one, where the words want to       number of a knob, to stand there with its value
+           stand, and one to keep off
     tube   middles of its two ends            radius at the first, radius at the second
     ball   its middle                         radius
     box    middles of two opposite faces A    1.0 if it is shown only while B lies on the z

@@ -137,11 +137,18 @@ class _Still:
                  size: tuple[float, float]) -> None:
         self.scene, self.size, self.q, self.show = scene, size, q, show
         self.frames = scene.frames(q)
-        self.items = [item for item in scene.items
+        self.items = [self._worded(item) for item in scene.items
                       if (not item.layer or item.layer in show) and is_there(item, q)]
         self.floor: Floor | None = scene.floor if "floor" in show or not any(
             switch.layer == "floor" for switch in scene.switches) else None
         self.lens = self.framed(Camera(*scene.presets[preset]))
+
+    def _worded(self, item: Item) -> Item:
+        """Words that tell a knob's value, with what it is now."""
+        if item.shape != TEXT or not item.size:
+            return item
+        k = int(item.size[0])
+        return replace(item, text=self.scene.knobs[k].said(float(self.q[k])))
 
     def framed(self, camera: Camera) -> Lens:
         """The lens through which nothing leaves the picture.

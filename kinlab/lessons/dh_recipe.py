@@ -21,44 +21,15 @@ from ..arms.kinematics import forward_kinematics, link_frames
 from ..arms.link import prismatic, revolute
 from ..arms.motions import ROTATE, TRANSLATE, X, Y, Z
 from ..drawing.controls import Knob, PoseTable
-from ..drawing.readings import Vector
 from ..drawing.scene import at, origin_of
 from ..drawing.sketch import Sketch
 from ..views.arm_view import ArmView
 from ..views.live import LiveView
 from ..views.studies import motions_view, parameters_view
+from .views.dh_recipe import rules_view
 
 __all__ = ["JUDGES", "PREDICTIONS", "motions_view", "numbers_view", "parameters_view",
            "rules_view"]
-
-
-def rules_view() -> LiveView:
-    """Frame 1 that may break the rules: its x axis tilts towards z0, or misses it."""
-    sketch = Sketch("The two rules", 2.5, center=(0, 0, 1), planar=False)
-    tilt = sketch.knob(Knob.angle("tilt", "tilt", -radians(50), radians(50), radians(25)))
-    miss = sketch.knob(Knob.length("miss", "miss", -1.5, 1.5, 1.0))
-    upright = sketch.move(ROTATE, Y, -pi / 2)  # its x axis is z0
-    sketch.move(ROTATE, Z, radians(20), parent=0)
-    foot = sketch.move(TRANSLATE, Z, 1.5)
-    side = sketch.move(TRANSLATE, Y, 0, miss)
-    sketch.move(ROTATE, Y, 0, tilt)
-    sketch.move(TRANSLATE, X, 2.0)
-    frame = sketch.move(ROTATE, X, -radians(60))
-    across = sketch.move(ROTATE, Z, pi / 2, parent=foot)  # its x axis points along the miss
-    sketch.line("z-line", at(0, (0, 0, -0.6), (0, 0, 2.8)), "axis")
-    sketch.line("x-line", at(frame, (-3, 0, 0), (0, 0, 0)))
-    tail, head = map(origin_of, (foot, side))
-    sketch.arrow("gap", tail, head)
-    sketch.axes("0", 0)
-    sketch.axes("1", frame)
-    sketch.tip = frame
-    origin, unit = at(frame, (0, 0, 0), (1, 0, 0))
-    sketch.reading("rule 1", "Rule 1: x₁ · z₀ = {}, should be 0",
-                   Vector(origin, unit, upright, 1))
-    sketch.reading("rule 2", "Rule 2: x₁ passes z₀ at {}, should be 0",
-                   Vector(tail, head, across, 1))
-    sketch.pose = PoseTable.of_frame("H, frame 1 seen from frame 0", "1", "xyz")
-    return LiveView(sketch.scene())
 
 
 def numbers_view() -> LiveView:

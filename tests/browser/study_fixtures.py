@@ -44,6 +44,7 @@ def swept() -> Scene:
              Item("patch", PATCH, "region", at(6, (0, 0.5, 0.1)), size=(3, 4, 6, 7)),
              Item("way", WAY, "trace", at(2, (0, 0, 0), (1, 0, 0), (1, 2, 0)), size=(1,)),
              Item("area", AREA, "region", at(1, (0, 0, 0), (1, 0, 0), (0, 1, 0)), when=(0, -1, 1)),
+             Item("beyond", LINE, "mesh", at(4, (0, 0, 0), (1, 2, 3)), when=(0, 1.0, -0.5)),
              Item("line", LINE, "mesh", at(4, (0, 0, 0), (1, 2, 3)), when=(1, 2.0, 3.0)))
     return Scene(steps, items, 5, (0.0, 0.0, 0.0), 2.0)
 

@@ -90,6 +90,13 @@ def test_a_knob_lets_an_item_be_seen():
     assert is_there(Item("line", LINE, "mesh", at(0, (0, 0, 0))), [])
 
 
+@pytest.mark.parametrize("value, there", [(-1, True), (-0.5, True), (0, False), (0.5, True)])
+def test_with_its_ends_exchanged_a_knob_shows_an_item_beyond_them(value, there):
+    item = Item("line", LINE, "mesh", at(0, (0, 0, 0)), when=(0, 0.5, -0.5))
+    assert is_there(item, [value]) == there
+
+
+
 def test_dots_keep_their_places_to_half_a_step():
     dots = np.random.default_rng(1).uniform(-480, 700, (500, 3))
     corner, letters = packed(dots, 3.0)

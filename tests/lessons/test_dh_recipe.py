@@ -8,6 +8,7 @@ import textbook
 
 import kinlab as kl
 from kinlab.arms.joints import joint_range
+from kinlab.drawing.curves import is_there
 from kinlab.drawing.still import still
 from kinlab.lessons.dh_recipe import motions_view, numbers_view, parameters_view, rules_view
 
@@ -200,6 +201,36 @@ def test_the_four_numbers_are_drawn_and_end_in_the_link_matrix(theta, d, a, alph
     start, end = places["arc-alpha"][[0, -1]] - T[:3, 3]
     close(start, [0, 0, np.linalg.norm(start)], atol=1e-12)
     close(end, np.linalg.norm(start) * T[:3, 2], atol=1e-12)
+
+
+@pytest.mark.parametrize("tilt, miss, kept, broken", [
+    (0, 0, {"square-kept", "meeting"}, set()), (25, 0, {"meeting"}, {"square-broken", "tilt"}),
+    (0, -0.5, {"square-kept"}, {"gap"}), (-40, 1.5, set(), {"square-broken", "tilt", "gap"})])
+def test_a_mark_is_green_while_its_rule_is_kept(tilt, miss, kept, broken):
+    view = rules_view()
+    view["tilt"].value, view["miss"].value = tilt, miss
+    there = {item.gid: item.style for item in view._scene.items if is_there(item, view._values)}
+    assert {gid for gid, style in there.items() if style == "holds"} - {
+        gid for gid in there if gid.startswith("words")} == kept
+    assert broken <= set(there)
+    assert not {"square-broken", "tilt", "gap"} - broken & set(there)
+
+
+@pytest.mark.parametrize("tilt, miss", [(25, 1), (-40, -0.7)])
+def test_tilt_and_miss_are_drawn_as_large_as_they_are(tilt, miss):
+    view = rules_view()
+    view["tilt"].value, view["miss"].value = tilt, miss
+    frames, places = drawn(view, view._values)
+    tail, head = places["gap"]
+    x = frames[view._scene.tip][:3, 0]
+    close(np.linalg.norm(head - tail), abs(miss), atol=1e-12)
+    close((head - tail) @ np.array([[0, 0, 1], x]).T, 0, atol=1e-12)  # the shortest way
+    arc = places["tilt"] - head
+    ends = arc[[0, -1]] / np.linalg.norm(arc[0])
+    close(ends, [[*x[:2] / np.linalg.norm(x[:2]), 0], x], atol=1e-12)
+    words = {mark.text for part in still(view._scene, view._values) for mark in part.marks}
+    assert {text.replace("-", "−") for text in (f"tilt = {tilt:.1f}°",
+                                                f"miss = {miss:.1f}")} <= words
 
 
 def transform(k):
