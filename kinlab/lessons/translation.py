@@ -1,4 +1,4 @@
-"""Lesson 01, translation: its views, its exercises' references and typical slips."""
+"""Lesson 01, translation: its views, predictions, exercises' references and typical slips."""
 from __future__ import annotations
 
 from collections.abc import Callable
@@ -6,12 +6,15 @@ from collections.abc import Callable
 import numpy as np
 
 from ..answers.judges import Judge, expressions, values
+from ..answers.prediction import Asked, Choice, Mark, Number, Several, Signs
 from ..arms.motions import TRANSLATE, X, Y
 from ..drawing.controls import Knob
 from ..drawing.readings import Point
 from ..drawing.scene import origin_of
 from ..drawing.sketch import Sketch
 from ..views.live import LiveView
+
+_WORDS = {"vector": "ink"}  # the style of an arrow's name, where it is not the arrow's own
 
 # ---- Views --------------------------------------------------------------------------
 
@@ -59,12 +62,13 @@ def chain_view() -> LiveView:
     other, _ = _slide(sketch, *second, parent=0)
     start, corner, middle, end = map(origin_of, (0, one, other, two))
     sketch.line("other-order", [start, middle, end])
-    for name, tail, head in (("o1", start, corner), ("o2", corner, end), ("sum", start, end)):
-        sketch.arrow(f"arrow-{name}", tail, head)
     half = origin_of(_slide(sketch, *second, parent=half_one)[1])
-    sketch.label("o₁⁰", (origin_of(half_one), end))
-    sketch.label("o₂¹", (origin_of(half_two), start))
-    sketch.label("o₂⁰", (half, corner))
+    for name, text, tail, head, places, style in (
+            ("o1", "o₁⁰", start, corner, (origin_of(half_one), end), "length"),
+            ("o2", "o₂¹", corner, end, (origin_of(half_two), start), "length"),
+            ("sum", "o₂⁰", start, end, (half, corner), "vector")):
+        sketch.arrow(f"arrow-{name}", tail, head, style)
+        sketch.label(text, places, _WORDS.get(style, style))
     sketch.reading("o2", "o₂⁰ = o₁⁰ + o₂¹ = {} + {} = {}", sketch.vector(0, one),
                    sketch.vector(one, two), sketch.vector(0, two))
     sketch.reading("other", "o₂¹ + o₁⁰ = {} + {} = {}", sketch.vector(0, other),
@@ -102,20 +106,155 @@ def _slide(sketch: Sketch, x: int, y: int, parent: int) -> tuple[int, int]:
 def _triangle(sketch: Sketch, frame: int, point: Point, *middles: Point) -> None:
     """The arrows to frame 1, from there to the point, and from the room's origin to the point.
 
-    The name of each stands at its middle, outside the triangle.
+    The name of each stands at its middle, outside the triangle. The slide of the frame has the
+    colour of lengths, as its sliders do, what frame 1 measures that of points; the sum is black.
     """
     room, origin = origin_of(0), origin_of(frame)
-    for name, text, tail, head, middle, across in zip(
+    for name, text, tail, head, middle, across, style in zip(
             ("o", "c1", "c0"), ("o₁⁰", "c¹", "c⁰"), (room, origin, room), (origin, point, point),
-            middles, (point, room, origin)):
-        sketch.arrow(f"arrow-{name}", tail, head)
-        sketch.label(text, (middle, across))
+            middles, (point, room, origin), ("length", "point", "vector")):
+        sketch.arrow(f"arrow-{name}", tail, head, style)
+        sketch.label(text, (middle, across), _WORDS.get(style, style))
 
 
 def _sum(sketch: Sketch, frame: int, point: Point) -> None:
     sketch.reading("c0", "c⁰ = o₁⁰ + c¹ = {} + {} = {}", sketch.vector(0, frame),
                    sketch.vector(frame, point), sketch.vector(0, point))
 
+
+# ---- Predictions --------------------------------------------------------------------------
+
+_GROWS = {"+": "grows", "-": "falls", "0": "stays"}
+
+
+def _change(axis: str, way: str, right: tuple[str, str], why: str, before: float,
+            after: float) -> Signs:
+    """How components change as a frame slides."""
+    return Signs(
+        ask=f"Frame 1 slides {way}. How do the components of the three arrows change?", why=why,
+        rows=("x", "y"), columns=("o₁⁰", "c¹", "c⁰"), right=right, among=_GROWS,
+        start={f"o_{axis}": before}, shows={f"o_{axis}": after})
+
+
+def _origin(c_1: tuple[float, float], place: tuple[float, float], why: str) -> Mark:
+    """Where the origin of frame 1 must be to see the point like that."""
+    x, y = c_1
+    start = {"o_x": -1.0, "o_y": -1.0}
+    return Mark(
+        ask=f"The point c stays at c⁰ = (1, 2). Frame 1 slides until it sees c at "
+            f"c¹ = {_pair(*c_1)}. Where is its origin then?",
+        why=why, start=start, shows={"o_x": place[0], "o_y": place[1]}, of="frame-1-x",
+        tolerance=0.25, slips=[
+            ((1 + x, 2 + y, 0), "You added c¹; to get to the origin, go back from c: c⁰ − c¹."),
+            ((x, y, 0), "That is c¹, measured from frame 0; it must be measured from frame 1.")])
+
+
+def _carried(place: tuple[float, float], why: str) -> Mark:
+    """Where the point is after a slide of the frame that it rides on."""
+    x, y = place
+    return Mark(
+        ask=f"The point c rides along, with c¹ = (1, 2). Frame 1 slides to o₁⁰ = {_pair(x, y)}. "
+            "Where is c then?",
+        why=why, start={"o_x": -2, "o_y": -1}, shows={"o_x": x, "o_y": y}, of="point-c",
+        tolerance=0.25, slips=[
+            ((1, 2, 0), "That is c¹, measured from frame 0; it begins at frame 1."),
+            ((-1, 1, 0), "There c was before. It rides along."),
+            ((-1 + x, 1 + y, 0), "You added the whole slide to where c was; o₁⁰ says where frame 1 "
+                                 "is, not how far it went.")])
+
+
+def _two_slides(first: tuple[float, float], second: tuple[float, float], why: str) -> Mark:
+    """Where two slides lead to."""
+    (a, b), (c, d) = first, second
+    return Mark(
+        ask=f"Frame 1 slides to o₁⁰ = {_pair(a, b)}. From there frame 2 slides by "
+            f"o₂¹ = {_pair(c, d)}. Where is the origin of frame 2?",
+        why=why, start={"o1_x": 0.5, "o1_y": 0.0, "o2_x": 1.0, "o2_y": 1.0},
+        shows={"o1_x": a, "o1_y": b, "o2_x": c, "o2_y": d}, of="frame-2-x", tolerance=0.25,
+        slips=[((c, d, 0), "That would be from frame 0; the second slide begins at frame 1."),
+               ((a - c, b - d, 0), "You went back by the second slide."),
+               ((a, b, 0), "That is frame 1. Frame 2 goes on from there.")])
+
+
+def _seen_back(o_01: tuple[float, float], why: str) -> Choice:
+    """Where frame 1 sees the origin of frame 0."""
+    x, y = o_01
+    return Choice(
+        ask=f"Frame 0 sees the origin of frame 1 at o₁⁰ = {_pair(x, y)}. Where does frame 1 see "
+            "the origin of frame 0?",
+        why=why, start={"o_x": x, "o_y": y}, right=_pair(-x, -y), options={
+            _pair(x, y): "Stand at frame 1 and look back: the way back has the other signs.",
+            _pair(-x, -y): "", _pair(0, 0): "There a frame sees its own origin.",
+            _pair(y, x): "x and y do not trade places: the axes are parallel."})
+
+
+def _height(drone: float, seen: float, right: float, why: str) -> Number:
+    """A third component."""
+    return Number(
+        ask=f"A drone hovers {_number(drone)} m above the ground. Its camera, whose axes are "
+            f"parallel to those of the room, sees a bird at c¹ = (0, 2, {_number(seen)}). How high "
+            "above the ground is the bird?",
+        why=why, right=right, unit="m", tolerance=0.01, slips=[
+            (drone - seen, "From frame 1 to the room the origin is added, not subtracted."),
+            (seen, "That is what the drone sees; its own height comes on top."),
+            (drone + 2, "The height is the third component; 2 is along y.")])
+
+
+def _number(value: float) -> str:
+    return f"{value + 0.0:g}".replace("-", "−")
+
+
+def _pair(x: float, y: float) -> str:
+    return f"({_number(x)}, {_number(y)})"
+
+
+PREDICTIONS: dict[str, Asked] = {
+    "translation.sliding": Asked(sliding_view, [
+        _change("x", "to the right", ("+-0", "000"), before=-2, after=2,
+                why="What o₁⁰ gains, c¹ loses, and c⁰ stays: the point has not moved."),
+        _change("y", "down the page", ("000", "-+0"), before=1.5, after=-1.5,
+                why="What o₁⁰ loses, c¹ gains, and c⁰ stays: the point has not moved."),
+        _change("x", "to the left", ("-+0", "000"), before=2, after=-1,
+                why="What o₁⁰ loses, c¹ gains, and c⁰ stays: the point has not moved.")]),
+    "translation.origin": Asked(sliding_view, [
+        _origin((-1, 1), (2, 1), "One step left and one up from (2, 1) is (1, 2)."),
+        _origin((3, 1), (-2, 1), "Three steps right and one up from (−2, 1) is (1, 2)."),
+        _origin((0, 0), (1, 2), "A point that is seen at (0, 0) is at the origin itself.")]),
+    "translation.back": Asked(sliding_view, [
+        _seen_back((2, -1), "The way back is the same arrow turned round: −o₁⁰ = (−2, 1)."),
+        _seen_back((-2, 1.5), "The way back is the same arrow turned round: −o₁⁰ = (2, −1.5).")]),
+    "translation.riding": Asked(riding_view, [
+        _change("x", "to the right and takes c along", ("+0+", "000"), before=-2, after=1,
+                why="The frame and the point move alike; what frame 1 sees, c¹, stays."),
+        _change("y", "down the page and takes c along", ("000", "-0-"), before=1, after=-2,
+                why="The frame and the point move alike; what frame 1 sees, c¹, stays.")]),
+    "translation.carried": Asked(riding_view, [
+        _carried((1, 0.5), "c⁰ = (1, 0.5) + (1, 2) = (2, 2.5)."),
+        _carried((0.5, -2), "c⁰ = (0.5, −2) + (1, 2) = (1.5, 0)."),
+        _carried((-2, 1), "c⁰ = (−2, 1) + (1, 2) = (−1, 3).")]),
+    "translation.rate": Asked(None, [Several(
+        ask="Frame 1 slides by a small step along x₀ and takes three points along: a near its "
+            "origin, b far away, c on its y axis. Which of them make the same step?",
+        why="In a translation all points of a body move alike. In a turn they do not.",
+        options={"a": "c⁰ = o₁⁰ + c¹ holds for it, and its c¹ stays.",
+                 "b": "Far away or near: its c¹ stays, so c⁰ changes as o₁⁰ does.",
+                 "c": "Its c¹ stays, so c⁰ changes as o₁⁰ does."}, right=["a", "b", "c"])]),
+    "translation.chain": Asked(chain_view, [
+        _two_slides((1.5, -1), (-0.5, 2), "(1.5, −1) + (−0.5, 2) = (1, 1)."),
+        _two_slides((-1, -1.5), (-1, 1), "(−1, −1.5) + (−1, 1) = (−2, −0.5)."),
+        _two_slides((2, 1), (-1.5, -2), "(2, 1) + (−1.5, −2) = (0.5, −1).")]),
+    "translation.order": Asked(None, [Choice(
+        ask="Two slides lead to a frame: first (1.5, −1), then (1, 1.5). Carry them out in the "
+            "other order. Does the frame end in the same place?",
+        why="Sums are the same in any order: the two ways are the sides of one parallelogram.",
+        options={"yes, but only for these numbers": "a + b = b + a holds for all numbers.",
+                 "no, it ends beside it": "Draw both ways on squared paper.", "yes, always": ""},
+        right="yes, always")]),
+    "translation.height": Asked(None, [
+        _height(3, -1, 2, "3 + (−1) = 2: the bird is below the drone."),
+        _height(5, 1.5, 6.5, "5 + 1.5 = 6.5: the bird is above the drone."),
+        _height(2, -0.5, 1.5, "2 + (−0.5) = 1.5: the bird is below the drone.")]),
+}
 
 # ---- Exercise 1: there and back ------------------------------------------------------
 

@@ -12,7 +12,9 @@ import kinlab as kl
 
 check = kl.exercises.check
 START = kl.lessons.start_here
-reach = cache(START.reach_view)
+REACH, TWO_WAYS = cache(START.reach_view), cache(START.two_ways_view)
+each_target = pytest.mark.parametrize("reach, target", [(REACH, (1, 1)), (TWO_WAYS, START.TARGET)],
+                                      ids=["section 2", "exercise 3"])
 angles = st.floats(-pi, pi)
 
 
@@ -20,22 +22,24 @@ def tips(q):
     return kl.forward_kinematics(kl.robots.two_link(), q)[..., :2, 3]
 
 
-@given(angles, angles)
-def test_the_view_says_where_the_tip_is_and_how_far_from_the_target(q1, q2):
+@each_target
+@given(q1=angles, q2=angles)
+def test_the_view_says_where_the_tip_is_and_how_far_from_the_target(reach, target, q1, q2):
     view = reach()
     view["theta_1"].value, view["theta_2"].value = np.degrees([q1, q2])
     tip = tips([q1, q2])
     assert np.allclose(view.readings["p"], [tip])
-    assert np.allclose(view.readings["gap"], [START.TARGET - tip])
+    assert np.allclose(view.readings["gap"], [target - tip])
 
 
-def test_the_ring_stands_around_the_target_and_the_dashed_line_leads_to_it():
+@each_target
+def test_the_ring_stands_around_the_target_and_the_dashed_line_leads_to_it(reach, target):
     scene = reach()._scene
     items = {item.gid: np.array(item.points) for item in scene.items}
     ring, gap = items["target"], items["gap"]
-    assert np.allclose(np.linalg.norm(ring[:, 1:3] - START.TARGET, axis=1), 0.1)
+    assert np.allclose(np.linalg.norm(ring[:, 1:3] - target, axis=1), 0.1)
     assert not ring[:, 0].any() and gap[:, 0].tolist() == [scene.tip, 0]
-    assert np.allclose(gap[1, 1:3], START.TARGET)
+    assert np.allclose(gap[1, 1:3], target)
 
 
 def test_both_ways_reach_the_target():
