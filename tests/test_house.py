@@ -106,8 +106,7 @@ def test_pyplot_is_never_used():
 
 # ---- JavaScript ----
 
-HOSTS = {"widget", "saved_views", "host_jupyter", "host_table", "host_page", "host_course",
-         "host_predict", "page_views"}
+HOSTS = {"widget", "saved_views", "host_jupyter", "host_table", "host_page", "host_predict"}
 
 
 def lines(path):

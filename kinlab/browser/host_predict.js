@@ -1,42 +1,10 @@
-// The script of a prediction's widget: its answers are the widget's, and the notebook keeps them.
+// The script of a view's widget.
 
-import { ask } from "./predict.js";
-import { keptAnswers } from "./saved_views.js";
 import { showView } from "./widget.js";
 
-/** @import { Host, Model, Sheet } from "./types.js" */
-
-/**
- * @param {Model} model
- * @returns {Sheet}
- */
-function modelSheet(model) {
-  const question = model.get("question"), notebook = keptAnswers(model.widget_manager);
-  const known = notebook.read(question.name).filter((one) => question.cases[one?.case]);
-  const restored = !model.get("record").length && known.length > 0;
-  const write = (/** @type {any[]} */ record, /** @type {number} */ now) => {
-    model.set("case", now);
-    model.set("record", record);
-    model.save_changes();
-    notebook.write(question.name, record);
-  };
-  if (restored) write(known, known[known.length - 1].case);
-  return {
-    question, restored, write,
-    read: () => ({ record: model.get("record"), case: model.get("case") }),
-    listen(callback) {
-      const names = ["change:record", "change:case"];
-      names.forEach((name) => model.on(name, callback));
-      return () => names.forEach((name) => model.off(name, callback));
-    },
-  };
-}
+/** @import { Host } from "./types.js" */
 
 /** @param {Host} host */
-function render({ model, el }) {
-  const sheet = modelSheet(model);
-  return showView(model, el, undefined, (place, scene, joints, formula = "", _, pointing) =>
-    ask(place, scene, joints, formula, pointing, sheet));
-}
+const render = ({ model, el }) => showView(model, el);
 
 export default { render };

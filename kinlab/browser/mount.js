@@ -160,13 +160,16 @@ class View {
 
   /** @returns {import("./bar.js").Acts} */
   acts() {
-    const { mover, picture } = this;
+    const { mover, picture } = this, drive = this.chase?.drive ?? this.joints;
     const anew = (/** @type {() => void} */ change) => {
       change();
       this.redraw();
     };
     return {
-      go: (q) => this.go(q),
+      go: (q) => {
+        const now = drive.read();
+        mover.start(drive, [q.map((value, i) => value ?? now[i])], MOVE);
+      },
       play: () => this.play(),
       step: (by) => {                                // on from where the last one leads
         const from = mover.request ? mover.goal : this.joints.read();
@@ -184,15 +187,6 @@ class View {
       perspective: (on) => anew(() => { picture.camera.perspective = on; }),
       fill: () => this.fill(),
     };
-  }
-
-  /**
-   * Go to a pose; what is null in it stays.
-   * @param {(number | null)[]} q
-   */
-  go(q) {
-    const drive = this.chase?.drive ?? this.joints, now = drive.read();
-    this.mover.start(drive, [q.map((value, i) => value ?? now[i])], MOVE);
   }
 
   /** What Play and steps move: where there is a target, that leads. */

@@ -127,10 +127,9 @@ function watchPython(model) {
  * @param {Model} model
  * @param {HTMLElement} el
  * @param {Pointing} [pointing] what stands beside the view and points at it shares this
- * @param {typeof mount} [put] puts the view there
  * @returns {() => void} ends it
  */
-export function showView(model, el, pointing, put = mount) {
+export function showView(model, el, pointing) {
   const python = watchPython(model), place = make("div");
   /** @type {Set<string>} */
   const gripped = new Set();
@@ -144,7 +143,7 @@ export function showView(model, el, pointing, put = mount) {
     joints?.leave();
     const scene = model.get("scene");
     joints = modelJoints(model, scene.knobs, python.listening, gripped);
-    live = put(place, scene, joints, model.get("formula"), before, pointing);
+    live = mount(place, scene, joints, model.get("formula"), before, pointing);
     place.append(python.line);
     joints.listen(remark);
     remark();
