@@ -248,7 +248,7 @@ class Signs(Case):
 
     def data(self) -> dict:
         return super().data() | {"rows": list(self.rows), "columns": list(self.columns),
-                                 "right": list(self.right), "among": dict(self.among)}
+                                 "right": list(self.right), "among": list(self.among.items())}
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -44,9 +44,12 @@ def style(*names: str) -> str:
     return "\n".join((HERE / name).read_text(encoding="utf-8") for name in names)
 
 
-def page_style() -> str:
-    """The style sheet of a plain page; where the system is dark its inks are dark JupyterLab's."""
-    sheets = style("live.css", "page.css")
+def page_style(*more: str) -> str:
+    """The style sheet of a plain page, with more sheets than those of a view.
+
+    Where the system is dark its inks are dark JupyterLab's.
+    """
+    sheets = style("live.css", *more, "page.css")
     (inks,) = _DARK.findall(sheets)
     dark = f"\n@media screen and (prefers-color-scheme: dark) {{\n{inks}\n}}\n"
     return _AIR.sub(r"\1", _REMARK.sub("", sheets + dark))

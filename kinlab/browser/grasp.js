@@ -178,13 +178,13 @@ export class Grasp {
   }
 
   /**
-   * In a plane a target comes to the pointer from anywhere.
+   * In a plane a target comes to the pointer from anywhere, and so does a mark.
    * @param {PointerEvent} event
    * @returns {Found | null}
    */
   called({ pointerType }) {
-    const { target } = this.scene, hold = this.holds[0];
-    return target && hold && this.flat && pointerType !== "touch"
+    const { target, calls } = this.scene, hold = this.holds[0];
+    return (target || calls) && hold && this.flat && pointerType !== "touch"
       ? { hold, item: null, far: Infinity } : null;
   }
 

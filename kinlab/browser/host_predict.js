@@ -1,10 +1,42 @@
-// The script of a view's widget.
+// The script of a prediction's widget: its answers are the widget's, and the notebook keeps them.
 
+import { ask } from "./predict.js";
+import { keptAnswers } from "./saved_views.js";
 import { showView } from "./widget.js";
 
-/** @import { Host } from "./types.js" */
+/** @import { Host, Model, Sheet } from "./types.js" */
+
+/**
+ * @param {Model} model
+ * @returns {Sheet}
+ */
+function modelSheet(model) {
+  const question = model.get("question"), notebook = keptAnswers(model.widget_manager);
+  const known = notebook.read(question.name).filter((one) => question.cases[one?.case]);
+  const restored = !model.get("record").length && known.length > 0;
+  const write = (/** @type {any[]} */ record, /** @type {number} */ now) => {
+    model.set("case", now);
+    model.set("record", record);
+    model.save_changes();
+    notebook.write(question.name, record);
+  };
+  if (restored) write(known, known[known.length - 1].case);
+  return {
+    question, restored, write,
+    read: () => ({ record: model.get("record"), case: model.get("case") }),
+    listen(callback) {
+      const names = ["change:record", "change:case"];
+      names.forEach((name) => model.on(name, callback));
+      return () => names.forEach((name) => model.off(name, callback));
+    },
+  };
+}
 
 /** @param {Host} host */
-const render = ({ model, el }) => showView(model, el);
+function render({ model, el }) {
+  const sheet = modelSheet(model);
+  return showView(model, el, undefined, (place, scene, joints, formula = "", _, pointing) =>
+    ask(place, scene, joints, formula, pointing, sheet));
+}
 
 export default { render };

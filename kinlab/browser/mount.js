@@ -160,16 +160,13 @@ class View {
 
   /** @returns {import("./bar.js").Acts} */
   acts() {
-    const { mover, picture } = this, drive = this.chase?.drive ?? this.joints;
+    const { mover, picture } = this;
     const anew = (/** @type {() => void} */ change) => {
       change();
       this.redraw();
     };
     return {
-      go: (q) => {
-        const now = drive.read();
-        mover.start(drive, [q.map((value, i) => value ?? now[i])], MOVE);
-      },
+      go: (q) => this.go(q),
       play: () => this.play(),
       step: (by) => {                                // on from where the last one leads
         const from = mover.request ? mover.goal : this.joints.read();
@@ -187,6 +184,15 @@ class View {
       perspective: (on) => anew(() => { picture.camera.perspective = on; }),
       fill: () => this.fill(),
     };
+  }
+
+  /**
+   * Go to a pose; what is null in it stays.
+   * @param {(number | null)[]} q
+   */
+  go(q) {
+    const drive = this.chase?.drive ?? this.joints, now = drive.read();
+    this.mover.start(drive, [q.map((value, i) => value ?? now[i])], MOVE);
   }
 
   /** What Play and steps move: where there is a target, that leads. */

@@ -8,6 +8,7 @@ import base64
 import io
 import json
 import os
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
@@ -17,16 +18,17 @@ from . import bundle
 _HERE = Path(__file__).parent
 
 
-def part(still: bytes, data: dict, text: str, formula: str = "", *, address: bool = False) -> str:
+def part(still: bytes | None, data: dict, text: str, formula: str = "", *,
+         address: bool = False) -> str:
     """One view as HTML, to stand in any page that has the script and the style.
 
-    `still` is a picture as PNG for where no script runs, `data` the scene and the values `q` to
-    begin with, `text` says the state in words, `formula` is MathML; with `address` the page's
-    address holds the joint values.
+    `still` is a picture as PNG for where no script runs, if there is something to see, `data` the
+    scene and the values `q` to begin with, `text` says the state in words, `formula` is MathML;
+    with `address` the page's address holds the joint values.
     """
     plain = json.dumps(_short(data), ensure_ascii=False, separators=(",", ":"))
     plain = plain.replace("<", r"\u003c")  # no text in it can end the script
-    picture = base64.b64encode(_smaller(still)).decode()
+    picture = base64.b64encode(_smaller(still)).decode() if still else ""
     return _filled("view.html.j2", still=picture, text=text, formula=formula, data=plain,
                    wide=data["scene"]["wide"], address=address)
 
@@ -61,11 +63,15 @@ def _short(data: Any) -> Any:
     return int(data) if data.is_integer() else float(f"{data:.13g}")
 
 
-def save(path: Any, title: str, view: str, question: str = "") -> Path:
-    """Write the page of one view, replacing a file of this name."""
+def save(path: Any, title: str, view: str, question: str = "", *, script: str = "host_page.js",
+         styles: Sequence[str] = ()) -> Path:
+    """Write the page of one view, replacing a file of this name.
+
+    `script` is its entry module, `styles` are the sheets it needs besides those of a view.
+    """
     target = _target(path)
     text = _filled("page.html.j2", title=title, question=question, view=view,
-                   style=bundle.page_style(), script=bundle.script("host_page.js"))
+                   style=bundle.page_style(*styles), script=bundle.script(script))
     try:
         target.write_bytes(text.encode("utf-8", "replace"))  # a name may hold half a character
     except (OSError, ValueError) as error:  # ValueError: a name with a zero byte

@@ -1,5 +1,5 @@
-// Keeps a saved notebook's views alive. This is the one place that reaches into JupyterLab's
-// notebook: no interface of its own tells a widget that it is being saved.
+// Keeps in a saved notebook what its views hold, and what was predicted. This is the one place
+// that reaches into JupyterLab's notebook: no interface tells a widget that it is being saved.
 
 const STATE = "application/vnd.jupyter.widget-state+json";
 const VIEW = "application/vnd.jupyter.widget-view+json";
@@ -32,4 +32,25 @@ export function keepViews(manager) {
     context.model.setMetadata("widgets",
       { [STATE]: { version_major: 2, version_minor: 0, state } });
   });
+}
+
+const OURS = "kinlab";                              // in the notebook's metadata
+
+/**
+ * The answers to predictions that a notebook keeps: run again, it still has them. Elsewhere nothing
+ * is kept beside the widget itself.
+ * @param {any} manager
+ */
+export function keptAnswers(manager) {
+  const notebook = manager?.context?.model;
+  const all = () => notebook?.getMetadata?.(OURS)?.predictions ?? {};
+  return {
+    /** @type {(name: string) => any[]} */
+    read: (name) => Array.isArray(all()[name]) ? all()[name] : [],
+    /** @type {(name: string, record: object[]) => void} */
+    write(name, record) {
+      notebook?.setMetadata?.(OURS, { ...notebook.getMetadata(OURS),
+        predictions: { ...all(), [name]: record } });
+    },
+  };
 }

@@ -227,6 +227,8 @@ export interface Scene {
   floor: Floor | Nothing;
   fit: Fit | Nothing;
   chart: ChartScene | Nothing;
+  /** In a plane, its first handle comes to the pointer from anywhere. */
+  calls?: boolean;
 }
 
 /** A scene whose joints follow a target. */
@@ -300,8 +302,55 @@ export interface Looks {
   plan: import("./plan.js").Plan;
 }
 
+/** One case of a prediction, as kinlab/answers/prediction.py and kinlab/views/prediction.py. */
+export interface Asked {
+  kind: "choice" | "several" | "number" | "signs" | "mark" | "direction";
+  ask: string;
+  why: string;
+  seen: string;
+  /** All knobs while it is open; the view's own once it is answered, and the mark's place then. */
+  start: number[];
+  shows: number[];
+  origin: number[];
+  /** Where the mark belongs, or the degrees of the arrow. */
+  truth: any;
+  /** These belong to some kinds only. */
+  right: any;
+  options: [text: string, said: string][];
+  tolerance: number;
+  unit: string;
+  slips: [wrong: any, said: string][];
+  turn: number;
+  rows: string[];
+  columns: string[];
+  among: [letter: string, meaning: string][];
+  axes: string;
+  about: string;
+  of: string;
+}
+
+/** A prediction: its cases, and the number of the first knob of the mark. */
+export interface Question { name: string; first: number; cases: Asked[] }
+
+/** What is said to an answer. */
+export interface Told { ok: boolean; said: string }
+
+/** An answer that was committed, null for no guess. */
+export interface Answer { case: number; answer: any }
+
+/** What is asked now and what has been answered: to read and write, and to hear of. */
+export interface Sheet {
+  question: Question;
+  /** Whether the answers come from before this view: its knobs do not know of them. */
+  restored?: boolean;
+  read(): { record: Answer[]; case: number };
+  write(record: Answer[], now: number): void;
+  listen(callback: () => void): () => void;
+}
+
 /** A view that stands in a page. */
 export interface Live {
+  go(q: number[]): void;
   note(text: string): void;
   point(spot: Spot | null, source?: import("./pointing.js").Source): void;
   leave(): Looks;

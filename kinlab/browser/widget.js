@@ -127,9 +127,10 @@ function watchPython(model) {
  * @param {Model} model
  * @param {HTMLElement} el
  * @param {Pointing} [pointing] what stands beside the view and points at it shares this
+ * @param {typeof mount} [put] puts the view there
  * @returns {() => void} ends it
  */
-export function showView(model, el, pointing) {
+export function showView(model, el, pointing, put = mount) {
   const python = watchPython(model), place = make("div");
   /** @type {Set<string>} */
   const gripped = new Set();
@@ -143,7 +144,7 @@ export function showView(model, el, pointing) {
     joints?.leave();
     const scene = model.get("scene");
     joints = modelJoints(model, scene.knobs, python.listening, gripped);
-    live = mount(place, scene, joints, model.get("formula"), before, pointing);
+    live = put(place, scene, joints, model.get("formula"), before, pointing);
     place.append(python.line);
     joints.listen(remark);
     remark();

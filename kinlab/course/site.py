@@ -133,7 +133,7 @@ def build(folder: Path, lessons: Sequence[Path] | None = None, progress: bool = 
     """
     with writing("OUT", folder):  # before any lesson is run
         folder.mkdir(parents=True, exist_ok=True)
-        (folder / "kinlab.js").write_text(bundle.script("host_page.js"), encoding="utf-8")
+        (folder / "kinlab.js").write_text(bundle.script("host_course.js"), encoding="utf-8")
         (folder / "kinlab.css").write_text(style(), encoding="utf-8")
     paths = lessons or sorted(FOLDER.glob("*.ipynb"))
     names = "\n".join(cell.source for cell in nbformat.read(paths[0], as_version=4).cells)
@@ -182,7 +182,7 @@ def style() -> str:
     light, dark = (HtmlFormatter(style=name).get_style_defs(".highlight")
                    for name in ("default", "github-dark"))
     own = (_HERE / "site.css").read_text(encoding="utf-8")
-    return (f"{bundle.page_style()}\n{light}\n"
+    return (f"{bundle.page_style('predict.css')}\n{light}\n"
             f"@media screen and (prefers-color-scheme: dark) {{\n{dark}\n}}\n{own}")
 
 

@@ -5,7 +5,7 @@ import os
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
-from typing import Any
+from typing import Any, ClassVar
 
 import anywidget
 import numpy as np
@@ -107,6 +107,7 @@ class LiveView(anywidget.AnyWidget):
 
     _esm = bundle.module("host_jupyter.js")
     _css = bundle.style("live.css")
+    _page: ClassVar[dict] = {}  # what a page with this view needs besides
     scene = traitlets.Dict().tag(sync=True)
     note = traitlets.Unicode().tag(sync=True)
     formula = traitlets.Unicode().tag(sync=True)  # MathML
@@ -187,7 +188,8 @@ class LiveView(anywidget.AnyWidget):
         'arm.html'
         """
         inputs.line("question", question)
-        return page.save(path, self._scene.name, self.html(address=True), question)
+        return page.save(path, self._scene.name, self.html(address=True), question,
+                         **self._page)
 
     def html(self, *, address: bool = False) -> str:
         """The view as a piece of a page that has kinlab's script and style (`bundle`)."""

@@ -2,7 +2,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Any, NamedTuple
+from typing import Any, ClassVar, NamedTuple
 
 import numpy as np
 import traitlets
@@ -63,6 +63,7 @@ class Prediction(LiveView):
 
     _esm = bundle.module("host_predict.js")
     _css = bundle.style("live.css", "predict.css")
+    _page: ClassVar[dict] = {"script": "host_course.js", "styles": ("predict.css",)}
     question = traitlets.Dict().tag(sync=True)
     record: traitlets.List = traitlets.List().tag(sync=True)  # of {"case", "answer"}
     case = traitlets.Int().tag(sync=True)
@@ -189,8 +190,9 @@ class Prediction(LiveView):
             "truth": self.truth(case)}
 
     def html(self, *, address: bool = False) -> str:
-        data = {"scene": self.scene, "q": self._values.tolist(), "question": self.question}
-        return page.part(self._still(), data, repr(self), self.formula, address=False)
+        data = {"scene": self.scene, "q": self._started(0), "question": self.question}
+        still = self._still() if self._scene.items else None
+        return page.part(still, data, repr(self), self.formula)
 
     def _parts(self) -> list[str]:
         """Names of what belongs to the guess and is to be seen now."""

@@ -55,7 +55,8 @@ def test_modules_that_cannot_share_a_scope_are_refused(text, words, folder):
     assert str(error.value).startswith(words) and "\n" not in str(error.value)
 
 
-@pytest.mark.parametrize("entry", ["host_jupyter.js", "host_table.js", "mount.js", "host_page.js"])
+@pytest.mark.parametrize("entry", ["host_jupyter.js", "host_table.js", "mount.js", "host_page.js",
+                                   "host_predict.js", "host_course.js"])
 def test_the_modules_of_the_package_share_one_scope(entry):
     assert not re.search(r"\bimport\b", bundle.module(entry))
 

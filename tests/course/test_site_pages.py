@@ -75,7 +75,7 @@ def test_nothing_comes_from_elsewhere(folder, name, text):
 def test_shared_files_ask_for_nothing_either(folder):
     style, script = ((folder / f"kinlab.{end}").read_text("utf-8") for end in ("css", "js"))
     assert "url(" not in style and "@import" not in style
-    assert script == bundle.script("host_page.js")
+    assert script == bundle.script("host_course.js")
     assert {path.name for path in folder.iterdir()} == {
         "kinlab.css", "kinlab.js", "index.html", *(f"{name}.html" for name in LESSONS)}
 
