@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import re
 from collections import Counter
+from collections.abc import Collection
 from pathlib import Path
 
 from rjsmin import jsmin
@@ -33,9 +34,12 @@ def module(entry: str, folder: Path = HERE) -> str:
     return f"{jsmin(_joined(entry, folder))}\n"
 
 
-def script(entry: str, folder: Path = HERE) -> str:
-    """One classic script that leaves no names behind and may stand inside a page."""
-    plain = jsmin(_EXPORT.sub("", _joined(entry, folder)))
+def script(entry: str, folder: Path = HERE, without: Collection[str] = ()) -> str:
+    """One classic script that leaves no names behind and may stand inside a page.
+
+    Modules `without` which the page does as well are left out: their names stand for nothing.
+    """
+    plain = jsmin(_EXPORT.sub("", _joined(entry, folder, without)))
     return f"(() => {{{plain}}})();\n".replace("</script", r"<\/script")
 
 
@@ -55,12 +59,12 @@ def page_style(*more: str) -> str:
     return _AIR.sub(r"\1", _REMARK.sub("", sheets + dark))
 
 
-def _joined(entry: str, folder: Path) -> str:
-    *needed, last = _in_order(entry, folder)
+def _joined(entry: str, folder: Path, without: Collection[str] = ()) -> str:
+    *needed, last = _in_order(entry, folder, without)
     return "".join([_EXPORT.sub("", text) for text in needed] + [last])
 
 
-def _in_order(entry: str, folder: Path) -> list[str]:
+def _in_order(entry: str, folder: Path, without: Collection[str] = ()) -> list[str]:
     """The texts without their imports, what is needed first."""
     texts: dict[str, str] = {}
 
@@ -71,6 +75,8 @@ def _in_order(entry: str, folder: Path) -> list[str]:
         if name in texts:
             return
         text = (folder / name).read_text(encoding="utf-8")
+        if name in without:
+            text = f"export const {' = 0, '.join(_names(text, exported=True))} = 0;\n"
         for wanted, source in _IMPORT.findall(text):
             add(source, (*asked, name))
             for one in re.split(r",\s*", wanted.strip().rstrip(",")):

@@ -8,7 +8,7 @@ import base64
 import io
 import json
 import os
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -64,14 +64,15 @@ def _short(data: Any) -> Any:
 
 
 def save(path: Any, title: str, view: str, question: str = "", *, script: str = "host_page.js",
-         styles: Sequence[str] = ()) -> Path:
+         styles: Sequence[str] = (), without: Collection[str] = ()) -> Path:
     """Write the page of one view, replacing a file of this name.
 
-    `script` is its entry module, `styles` are the sheets it needs besides those of a view.
+    `script` is its entry module, and `without` those that this view does not need; `styles` are
+    the sheets that it needs besides those of a view.
     """
     target = _target(path)
     text = _filled("page.html.j2", title=title, question=question, view=view,
-                   style=bundle.page_style(*styles), script=bundle.script(script))
+                   style=bundle.page_style(*styles), script=bundle.script(script, without=without))
     try:
         target.write_bytes(text.encode("utf-8", "replace"))  # a name may hold half a character
     except (OSError, ValueError) as error:  # ValueError: a name with a zero byte

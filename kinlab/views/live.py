@@ -16,7 +16,7 @@ from ..arms.motions import Numbers
 from ..browser import bundle, page
 from ..drawing import worker
 from ..drawing.controls import Knob, decimals
-from ..drawing.scene import Scene
+from ..drawing.scene import CLOUD, Scene
 
 DECIMALS = 4  # of numbers in words, where nothing asks for more
 
@@ -189,7 +189,13 @@ class LiveView(anywidget.AnyWidget):
         """
         inputs.line("question", question)
         return page.save(path, self._scene.name, self.html(address=True), question,
-                         **self._page)
+                         without=self._without(), **self._page)
+
+    def _without(self) -> list[str]:
+        """Modules that a page of this view alone can do without."""
+        shapes = {item.shape for item in self._scene.items}
+        return (["chart.js"] if self._scene.chart is None else []) + \
+            (["cloud.js"] if CLOUD not in shapes else [])
 
     def html(self, *, address: bool = False) -> str:
         """The view as a piece of a page that has kinlab's script and style (`bundle`)."""

@@ -141,3 +141,10 @@ def test_a_path_that_will_not_do(path, words, tmp_path, monkeypatch):
 def test_a_folder_of_that_name_is_refused(tmp_path):
     (tmp_path / "arm.html").mkdir()
     assert "cannot write" in refusal(tmp_path / "arm.html")
+
+
+def test_a_page_has_no_module_that_its_view_does_without(tmp_path):
+    arm, solve = write(kl.ArmView(kl.robots.two_link()), tmp_path), write(
+        kl.solve_view(kl.robots.two_link(), [1, 1, 0]), tmp_path)
+    assert "class Chart" not in arm and "class Cloud" not in arm
+    assert "class Chart" in solve and "class Cloud" not in solve
