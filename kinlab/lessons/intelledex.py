@@ -1,4 +1,4 @@
-"""Lesson 08, the Intelledex 660T: its view, its exercises' references and typical slips."""
+"""Lesson 08, the Intelledex 660T: views, predictions, references of its exercises, and slips."""
 from __future__ import annotations
 
 from collections.abc import Callable
@@ -13,19 +13,14 @@ from ..answers.judges import Judge, Slip, choices, expressions
 from ..answers.table_judge import column, table, with_columns
 from ..arms import kinematics, robots
 from ..arms.joints import joint_array
+from .asked.intelledex import PREDICTIONS
+from .views.intelledex import meeting_view, plane_view, turned_round, wrist_view, yaw_view
+
+__all__ = ["JUDGES", "PREDICTIONS", "meeting_view", "plane_view", "turned_round", "wrist_view",
+           "yaw_view"]
 
 _ARM = robots.intelledex_660t()
 _JOINTS = tuple(f"theta_{i}" for i in range(1, 7))
-
-
-def yaw_view() -> Any:
-    """The arm at soft home; Play rolls the shoulder, yaws with the tool pitch, and goes back."""
-    from ..views.arm_view import ArmView
-
-    steps = [[90, -90, 90, 0, 90, 0], [90, 0, 90, 0, 90, 0], [90, 0, 90, 0, 0, 0],
-             [90, 0, 90, 0, 180, 0], [90, 0, 90, 0, 90, 0]]
-    return ArmView(_ARM, poses=np.radians(steps), show=("frames", "labels", "axes"))
-
 
 # ---- Exercise 1: the table ----------------------------------------------------------------------
 
