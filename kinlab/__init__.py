@@ -28,7 +28,7 @@ _NAMES = {
                          "quaternion_matrix", "rotation_about"),
     "views.arm_view": ("ArmView",),
     "views.target_view": ("TargetView",),
-    "views.link_view": ("link_view",),
+    "views.link_view": ("frames_view", "link_view"),
     "views.studies": ("solve_view", "velocity_view"),
     "predictions": ("predict",),
     "arms.shown": ("show",),

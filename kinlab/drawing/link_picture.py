@@ -205,6 +205,18 @@ class LinkSketch(Sketch):
         sign = "-" if offset < 0 else "+"
         return f"{name} = {variable} {sign} {abs(offset):.6g}{self._unit(motion)}"
 
+    def row(self) -> str:
+        """The link's row of the table: numbers, and the joint variable with its star."""
+        return f"Row {self.link}: {', '.join(map(self._cell, range(4)))}"
+
+    def _cell(self, k: int) -> str:
+        motion, equation = self.motions[k], self._equation(k)
+        if motion.joint is not None:
+            return equation if "=" in equation else f"{self.name_of(k)} = {equation}"
+        turns = motion.kind == ROTATE
+        value = math.degrees(motion.amount) if turns else motion.amount
+        return f"{equation} = {value:.6g}{self._unit(motion) if value else ''}"
+
     def _unit(self, motion: Motion) -> str:
         return "°" if motion.kind == ROTATE else f" {self.unit}"
 

@@ -19,7 +19,7 @@ from ..arms import robots
 from ..arms.arm import Arm
 from ..arms.kinematics import forward_kinematics, link_frames
 from ..arms.link import prismatic, revolute
-from ..arms.motions import ROTATE, TRANSLATE, X, Y, Z
+from ..arms.motions import ROTATE, TRANSLATE, X, Z
 from ..drawing.controls import Knob, PoseTable
 from ..drawing.scene import at, origin_of
 from ..drawing.sketch import Sketch

@@ -92,3 +92,17 @@ def test_only_one_factor_of_each_formula_waits_for_the_tab_key(view):
     assert_at(view, 6)
     stops = view.locator("[data-stages]:visible [data-factor][tabindex='0']")
     expect(stops).to_have_count(1)
+
+
+def test_a_link_is_chosen_among_all_frames(page, tmp_path):
+    page.emulate_media(reduced_motion="reduce")
+    page.goto(kl.frames_view(kl.robots.cylindrical()).save_html(tmp_path / "all.html").as_uri())
+    view = page.locator(".kl-view")
+    page.get_by_role("button", name="Link 2", exact=True).click()
+    expect(view.locator("[data-reading='row']")).to_have_text(
+        "Row 2: θ₂ = 90°, d₂ = d₂*, a₂ = 0, α₂ = 90°")
+    expect(view.locator("[data-stages]:visible p")).to_contain_text("A₂, frame 2")
+    expect(view.locator("#link-2-dimension-1")).to_be_visible()
+    expect(view.locator("#link-1-dimension-1")).to_be_hidden()
+    page.get_by_role("button", name="All", exact=True).click()
+    expect(view.locator("[data-stages]:visible p")).to_contain_text("A₁ A₂ A₃")

@@ -177,3 +177,37 @@ def test_each_number_of_motions_has_its_part_of_the_formula():
 def test_bad_input_is_refused(arm, link, q, words):
     with pytest.raises(ValueError, match=words):
         kl.link_view(arm, link, q)
+
+
+# ---- All frames of an arm ----
+
+
+@pytest.mark.parametrize("arm", ARMS, ids=[f"{arm.name}-{arm.convention}" for arm in ARMS])
+def test_the_chosen_link_is_measured_where_its_table_says(arm):
+    q = pose_of(arm)
+    scene = kl.frames_view(arm, q)._scene
+    for link in range(1, arm.n + 1):
+        at = [*q, link]
+        T = kl.link_frames(arm, q)[link - 1]
+        for k, name in enumerate(ORDERS[arm.convention]):
+            value, frame = row(arm, link, q)[name], T @ after(arm, link, q, k)
+            gid = f"link-{link}-{'dimension' if name in 'da' else 'arc'}-{k}"
+            if gid not in {item.gid for item in scene.items}:
+                assert value == 0 and name != arm.links[link - 1].variable
+            elif name in "da":
+                tail, head = places(scene, at, gid)
+                close(head - tail, value * frame[:3, 2 if name == "d" else 0], atol=1e-9)
+            else:
+                first, *_, last = (places(scene, at, gid) - frame[:3, 3]) @ frame[:3, :3]
+                about = textbook.turn(Z if name == "theta" else X, value)
+                close(last, about @ first, atol=1e-9)
+    assert not [item.gid for item in scene.items if item.gid.startswith("link-")
+                and is_there(item, [*q, 0]) and "-arc-" in item.gid]
+
+
+def test_a_row_is_told_with_its_star_and_its_matrix():
+    view = kl.frames_view(kl.robots.exam_2018())
+    view["link"].value = 2
+    assert view.readings["row"] == ("Row 2: θ₂ = θ₂* + 90°, d₂ = 0.2 m, a₂ = 0.4 m, α₂ = 90°",)
+    assert view.formula.count("data-stages") == 4 and "A₁ A₂ A₃, frame 3" in view.formula
+    assert view._scene.knobs[-1].names == ("All", "Link 1", "Link 2", "Link 3")
