@@ -1,4 +1,4 @@
-"""Lesson 04, the two-link arm by both methods: the judges of its exercises, and its views."""
+"""Lesson 04, the two-link arm by both methods: views, predictions, judges of its exercises."""
 from __future__ import annotations
 
 from collections.abc import Callable
@@ -10,9 +10,10 @@ import numpy as np
 from ..answers.conditions import degrees_slip, meet, one_of_many
 from ..answers.judges import Judge, expressions, function
 from ..arms import inputs, transforms
+from .asked.two_link import PREDICTIONS
 from .views.two_link import both_methods, n_links
 
-__all__ = ["both_methods", "n_links"]
+__all__ = ["JUDGES", "PREDICTIONS", "both_methods", "n_links"]
 
 # ---- Exercise 1: P and Q by trigonometry ----------------------------------------------
 

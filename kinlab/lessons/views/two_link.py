@@ -12,8 +12,11 @@ _LENGTH = 1.2
 _SHARES = tuple(share / 8 for share in range(9))
 
 
-def both_methods() -> LiveView:
-    """The two-link arm: its dashed legs are the trigonometry, its frames the matrices."""
+def both_methods(*, middle: bool = False) -> LiveView:
+    """The two-link arm: its dashed legs are the trigonometry, its frames the matrices.
+
+    With `middle` the middle of link 2 is marked and read as well.
+    """
     sketch = Sketch("Two-link arm, by both methods", 4)
     sketch.follows = True
     t1, t2 = sketch.theta(1, 35), sketch.theta(2, 25)
@@ -33,6 +36,10 @@ def both_methods() -> LiveView:
     sketch.handle("Q", end, t1, t2)
     sketch.handle("P", second, t1)
     _both_readings(sketch, second, end, (t1, t2, l1, l2))
+    if middle:
+        half = sketch.move(TRANSLATE, X, 0, l2, second, gain=0.5)
+        sketch.point("M", half, (0, 0))
+        sketch.reading("M_H", "M⁰ = H₂⁰ M² = {}", sketch.vector(0, half))
     sketch.pose = PoseTable("H₂⁰ = H₁⁰ H₂¹", (
         ("x₂", "x axis of frame 2"), ("y₂", "y axis of frame 2"), ("P", "its origin, P")))
     return LiveView(sketch.scene())
