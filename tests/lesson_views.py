@@ -21,6 +21,7 @@ VIEWS = {robot.__name__: lambda robot=robot: kl.ArmView(
     "combined": LESSONS.homogeneous.combined,
     "chain": lambda: LESSONS.homogeneous.chain(3),
     "seen back": LESSONS.homogeneous.seen_back,
+    "pose": LESSONS.notation.pose_view,
     "order": LESSONS.homogeneous.order,
     "fixed": LESSONS.homogeneous.fixed,
     "spatial": LESSONS.homogeneous.spatial,

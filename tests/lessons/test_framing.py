@@ -7,6 +7,7 @@ from kinlab.lessons import (
     dh_recipe,
     homogeneous,
     n_link,
+    notation,
     rotation,
     translation,
     two_link,
@@ -23,7 +24,7 @@ STANDING = {  # the room stands still in these
     "ring": workspace.ring_view}
 FOLLOWED = {
     "sliding": translation.sliding_view, "riding": translation.riding_view,
-    "two slides": translation.chain_view,
+    "two slides": translation.chain_view, "pose": notation.pose_view,
     "combined": homogeneous.combined, "seen back": homogeneous.seen_back,
     "chain": homogeneous.chain, "spatial": homogeneous.spatial,
     "both methods": two_link.both_methods, "n links": two_link.n_links,
