@@ -44,6 +44,7 @@ VIEWS = {robot.__name__: lambda robot=robot: kl.ArmView(
     "meeting": LESSONS.intelledex.meeting_view,
     "yaw": LESSONS.intelledex.yaw_view,
     "ring": LESSONS.workspace.ring_view,
+    "dexterous": LESSONS.workspace.dexterous_view,
     "limits": LESSONS.workspace.limits_view,
     "target": lambda: kl.TargetView(kl.robots.alpha_ii()),
     "velocity": lambda: kl.velocity_view(kl.robots.intelledex_660t()),

@@ -1,4 +1,4 @@
-"""Lesson 09, the workspace: the judges of its exercises, and its views."""
+"""Lesson 09, the workspace: the judges of its exercises, its predictions and its views."""
 from __future__ import annotations
 
 from collections.abc import Callable
@@ -11,10 +11,11 @@ from ..answers.conditions import degrees_slip, meet, one_of_many, one_pose, with
 from ..answers.judges import Judge, function
 from ..arms import inputs, kinematics, robots
 from ..arms.joints import joint_range
+from .asked.workspace import PREDICTIONS
 from .views.reach import reach_view
-from .views.workspace import L1, L2, limits_view, ring_view
+from .views.workspace import L1, L2, dexterous_view, limits_view, ring_view
 
-__all__ = ["limits_view", "reach_view", "ring_view"]
+__all__ = ["JUDGES", "PREDICTIONS", "dexterous_view", "limits_view", "reach_view", "ring_view"]
 
 # ---- Exercise 1: the ring of two lengths ----------------------------------------------
 

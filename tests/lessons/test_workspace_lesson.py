@@ -40,7 +40,7 @@ def test_the_circles_are_those_of_the_stretched_and_the_folded_arm(l1, l2):
 
 
 def test_zero_moves_joints_and_leaves_lengths_and_limits():
-    assert lesson.ring_view().scene["zero"] == [0, 0, None, None]
+    assert lesson.ring_view().scene["zero"] == [0, 0, None, None, None]
     assert lesson.limits_view().scene["zero"] is None
     assert kl.solve_view(kl.robots.two_link(), [0.5, 1, 0]).scene["zero"] is None
     assert kl.ArmView(kl.robots.alpha_ii()).scene["zero"] == [0] * 5
@@ -161,3 +161,23 @@ def test_nothing_comes_closer_to_the_shoulder_or_to_the_target():
         found = kl.inverse_kinematics(kl.robots.alpha_ii(), point)
         assert not found.success
         close(found.position_error, least, rtol=1e-5)
+
+
+def test_the_ring_is_drawn_as_far_as_it_is_swept():
+    view = lesson.ring_view()
+    for share, angle in ((0.0, 0), (0.25, pi / 2), (1.0, 2 * pi)):
+        view["swept"].value = 100 * share
+        end = curve(view, "stretched")[-1]
+        close(end, 1.6 * np.array([np.cos(angle), np.sin(angle)]), atol=1e-12)
+
+
+def test_the_circle_of_wrists_lies_in_the_ring_from_06_to_14():
+    view = lesson.dexterous_view()
+    for r in (0.6, 0.9, 1.4):
+        radii = []
+        for phi in range(-180, 180, 10):
+            set_to(view, r=r, phi=phi)
+            radii.append(view.readings["w"][0][0])
+        assert min(radii) >= 0.4 - 1e-9 and max(radii) <= 1.6 + 1e-9
+    set_to(view, r=0.5, phi=0)
+    close(view.readings["w"][0], [0.3])

@@ -9,11 +9,11 @@ import numpy as np
 from ...arms.motions import ROTATE, TRANSLATE, X, Z
 from ...drawing.controls import Knob, Switch, subscript
 from ...drawing.readings import Distance
-from ...drawing.scene import PATCH, SWEEP, at, origin_of
+from ...drawing.scene import AREA, PATCH, SWEEP, at, circle, origin_of
 from ...drawing.sketch import Sketch
 from ...views.live import LiveView
 
-L1, L2 = 1.0, 0.6  # m, the arm of the lesson
+L1, L2, L3 = 1.0, 0.6, 0.2  # m, the arm of the lesson, and a tool
 _THICK = 0.06      # m, radius of its joints
 _LINES = np.linspace(0, 1, 9)  # of the mesh, as shares of a joint's range
 _TRACE = Switch("trace", "Trace", "Path of the tool")
@@ -25,8 +25,10 @@ def ring_view() -> LiveView:
     t1, t2 = sketch.theta(1, 35), sketch.theta(2, 60)
     l1, l2 = (sketch.knob(Knob.length(f"l_{k}", f"l{subscript(k)}", 0.2, 1.05, home, "m"))
               for k, home in ((1, L1), (2, L2)))
+    swept = sketch.knob(Knob("swept", "swept", 0, 1, 1, "%", 0.01, 1.0,
+                             "how much of a whole turn the arm has swept"))
     sketch.joints = (t1, t2)
-    _ring(sketch, l1, l2)
+    _ring(sketch, l1, l2, swept)
     first = sketch.move(ROTATE, Z, 0, t1, 0)
     straight = sketch.move(TRANSLATE, X, 0, l1)
     elbow = sketch.move(ROTATE, Z, 0, t2)
@@ -78,6 +80,37 @@ def limits_view(theta_1: tuple[float, float] = (-20, 130),
     return _with_trace(sketch, [[*np.radians(pose), 0.5, 0.4] for pose in closing])
 
 
+def dexterous_view() -> LiveView:
+    """A tool of 0.2 m at Q, the circle on which its wrist may stand, and the ring of two links.
+
+    Wherever the circle lies in the ring, the tool can point in every direction.
+    """
+    sketch = Sketch("A circle of wrists in the ring of two links", 2.0, unit="m", grid=0.5)
+    r = sketch.knob(Knob.length("r", "r", 0.0, 2.0, 0.9, "m", "distance of Q from O"))
+    phi = sketch.knob(Knob.angle("phi", "φ", home=radians(50), title="where the tool points"))
+    sketch.joints = ()
+    _still_ring(sketch)
+    place = sketch.move(TRANSLATE, X, 0, r, 0)
+    wrist = sketch.move(TRANSLATE, X, -L3, None, sketch.move(ROTATE, Z, 0, phi))
+    sketch.line("circle", at(place, *(L3 * circle(73))), "target")
+    sketch.arrow("tool", origin_of(wrist), origin_of(place), "point")
+    for name, frame in (("O", 0), ("Q", place), ("W", wrist)):
+        sketch.point(name, frame, (0, 0))
+    sketch.handle("Q", place, r)
+    sketch.handle("wrist W", wrist, phi)
+    sketch.reading("w", "wrist: |OW| = {} m; the two links reach from 0.4 to 1.6 m",
+                   Distance(origin_of(0), origin_of(wrist)))
+    return LiveView(sketch.scene())
+
+
+def _still_ring(sketch: Sketch) -> None:
+    """What two links reach that do not move here."""
+    for name, radius, style in (("stretched", L1 + L2, "first"), ("folded", L1 - L2, "second")):
+        sketch.line(name, at(0, *(radius * circle(121))), style, part="edge")
+    rims = [at(0, *(radius * circle(121))) for radius in (L1 + L2, L1 - L2)]
+    sketch.add("region", AREA, "region", (*rims[0], *rims[1][::-1]), body=-1, part="region")
+
+
 # ---- Parts of both ------------------------------------------------------------------------
 
 
@@ -102,9 +135,10 @@ def _with_trace(sketch: Sketch, poses: list) -> LiveView:
 # ---- The ring -----------------------------------------------------------------------------
 
 
-def _ring(sketch: Sketch, l1: int, l2: int) -> None:
+def _ring(sketch: Sketch, l1: int, l2: int, swept: int) -> None:
     """All that the tool reaches, and its edges: the straight and the folded arm turn once."""
-    first, last = (sketch.move(ROTATE, Z, angle, None, 0) for angle in (0.0, 2 * pi))
+    first = sketch.move(ROTATE, Z, 0, None, 0)
+    last = sketch.move(ROTATE, Z, 0, swept, 0, gain=2 * pi)
     elbow = sketch.move(TRANSLATE, X, 0, l1, first)
     folded = sketch.move(TRANSLATE, X, 0, l2, gain=-1)
     half = sketch.move(ROTATE, Z, pi, None, elbow)
@@ -129,7 +163,7 @@ def _sweeps() -> list[list[float]]:
     """Joint 1 there and back, while joint 2 bends a little more each time."""
     bends = np.radians(np.linspace(0, 180, 7))
     turns = (-pi, 0.0, pi)  # half a turn at a time: slow enough for a smooth trace
-    return [[turn, bend, L1, L2] for k, bend in enumerate(bends) for turn in turns[::1 - k % 2 * 2]]
+    return [[turn, bend, L1, L2, 1] for k, bend in enumerate(bends) for turn in turns[::1 - k % 2 * 2]]
 
 
 # ---- Limits -------------------------------------------------------------------------------
