@@ -185,8 +185,8 @@ _ROWS = {
 def _row(rows: Sequence[str], wrong: int) -> Choice:
     listed = "; ".join(f"row {i}: {row}" for i, row in enumerate(rows, start=1))
     return Choice(
-        ask="A student's modified table of the exam arm, with α and a of the link before, then d "
-            f"and θ. {listed}. Which row is wrong?",
+        ask="A student's modified table of the exam arm, in each row α, a, d, θ: "
+            f"{listed}. Which row is wrong?",
         why=_ROWS[wrong],
         options={f"row {i}": "" if i == wrong else f"It is right. {said}"
                  for i, said in _ROWS.items()},

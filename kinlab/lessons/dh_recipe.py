@@ -24,12 +24,13 @@ from ..drawing.controls import Knob, PoseTable
 from ..drawing.scene import at, origin_of
 from ..drawing.sketch import Sketch
 from ..views.arm_view import ArmView
+from ..views.link_view import link_view
 from ..views.live import LiveView
 from ..views.studies import motions_view, parameters_view
 from .views.dh_recipe import rules_view
 
 __all__ = ["JUDGES", "PREDICTIONS", "motions_view", "numbers_view", "parameters_view",
-           "rules_view"]
+           "printed_matrix", "rules_view"]
 
 
 def numbers_view() -> LiveView:
@@ -62,6 +63,17 @@ def _length(sketch: Sketch, name: str, tail: int, head: int, middle: int) -> Non
     sketch.label(name, at(middle, (0, 0, 0), (0, 0.3, 0)), "length")
 
 
+def printed_matrix(theta: Any, d: Any, a: Any, alpha: Any) -> Any:
+    """Equation (3.10) of the lecture, typed from its page."""
+    import sympy as sp  # takes a while
+
+    c, s, ca, sa = sp.cos(theta), sp.sin(theta), sp.cos(alpha), sp.sin(alpha)
+    return sp.Matrix([[c, -s * ca, s * sa, a * c],
+                      [s, c * ca, -c * sa, a * s],
+                      [0, sa, ca, d],
+                      [0, 0, 0, 1]])
+
+
 # ---- Predictions ------------------------------------------------------------------------
 
 
@@ -69,8 +81,8 @@ def _exam_link() -> LiveView:
     return parameters_view(robots.exam_2018(), 2, [radians(-20), radians(-35), 0.4])
 
 
-def _exam_motions() -> LiveView:
-    return motions_view(robots.exam_2018(), 2, [0, 0, 0.4])
+def _exam_stages() -> LiveView:
+    return link_view(robots.exam_2018(), 2, [0, 0, 0.4])
 
 
 def _alpha_ii() -> ArmView:
@@ -125,17 +137,18 @@ _WHICH = [
 
 def _x_2(theta: float, why: str) -> Direction:
     return Direction(
-        ask="θ₁ is 0, and z₁ points at you. With θ₂* = 0, x₂ points up. Turn the arrow to where "
-            f"x₂ will point when θ₂* = {signed(theta)}.",
-        why=why, of="frame-2-x", about="y", seen="front",
-        slips=[(theta, "That turns the other way: z₁ points at you, so a positive angle turns "
-                "anticlockwise.")],
-        start=dict(theta_1=0, theta_2=0), shows=dict(theta_2=theta))
+        ask=f"θ₂* = {signed(theta)}, and z₁ points at you. You see the axes z₁ and z₂ of one link. "
+            "Turn the arrow to where x₂ will point.",
+        why=why, of="frame-2-x", about="y", begin=90, seen="front",
+        slips=[(180 - theta, "Along the common normal, but the other way: x₂ leads from z₁ to z₂."),
+               (90 - theta, "There z₂ points. x₂ is perpendicular to z₁ and to z₂.")],
+        start=dict(theta_1=0, theta_2=theta, stage=0), shows=dict(stage=2))
 
 
-_X_2 = [_x_2(40, "From up, 40° anticlockwise: x₂ leans to the left, and θ₂ = 40° + 90° from x₁."),
-        _x_2(-60, "From up, 60° clockwise: x₂ leans to the right, and θ₂ = −60° + 90° from x₁."),
-        _x_2(90, "From up, a quarter turn anticlockwise: x₂ points to the left, and θ₂ = 180°.")]
+_NORMAL = "x₂ lies along the common normal, from z₁ to z₂:"
+_X_2 = [_x_2(40, f"{_NORMAL} up, and to the left by 40°."),
+        _x_2(-60, f"{_NORMAL} up, and to the right by 60°."),
+        _x_2(110, f"{_NORMAL} to the left, and down by 20°.")]
 
 
 def _zeros(link: int, said: dict[str, str], right: tuple[str, ...], why: str, **shows: float,
@@ -219,7 +232,7 @@ def _origin(done: int, ask: str, why: str, slip: tuple[tuple[float, float, float
     return Mark(ask=f"{ask} Set the mark where the travelling frame's origin is then.", why=why,
                 of="frame--x", axes="yz", tolerance=0.07, begin=(0, -0.35, 0.75), seen="side",
                 slips=[slip],
-                start=dict(motion=0), shows=dict(motion=done))
+                start=dict(theta_1=0, theta_2=0, stage=2), shows=dict(stage=2 + done))
 
 
 _ORIGINS = [
@@ -296,11 +309,11 @@ _PATTERN = [
 PREDICTIONS: dict[str, Asked] = {
     "dh_recipe.twist": Asked(numbers_view, _TWISTS),
     "dh_recipe.which": Asked(_exam_link, _WHICH),
-    "dh_recipe.x2": Asked(_exam_link, _X_2),
+    "dh_recipe.x2": Asked(_exam_stages, _X_2),
     "dh_recipe.zeros": Asked(_alpha_ii, _ZEROS),
     "dh_recipe.says": Asked(None, _SAYS),
     "dh_recipe.broken": Asked(rules_view, _BROKEN),
-    "dh_recipe.origin": Asked(_exam_motions, _ORIGINS),
+    "dh_recipe.origin": Asked(_exam_stages, _ORIGINS),
     "dh_recipe.swaps": Asked(None, _SWAPS),
     "dh_recipe.column": Asked(numbers_view, _LAST_COLUMN),
     "dh_recipe.pattern": Asked(numbers_view, _PATTERN),

@@ -1,5 +1,6 @@
 """Every lesson is clean, reproducible, and passes its own checks once it is solved."""
 import re
+from collections import Counter
 from copy import deepcopy
 
 import nbformat
@@ -88,11 +89,25 @@ def test_notebook_is_clean(path):
 def test_lesson_has_exercises_with_checks_and_a_solution_for_each(path):
     lesson, solutions = read(path), read(path.parent / "solutions" / path.name)
     exercises = tagged(lesson, "exercise")
-    assert len(exercises) >= FEWEST_EXERCISES
     assert set(exercises) == set(tagged(solutions, "exercise"))
     assert len(tagged(lesson, "check")) == len(exercises)
     order = [cell.id for cell in code_cells(lesson) if cell.metadata.get("tags")]
     assert [id.split("-")[0] for id in order] == ["exercise", "check"] * len(exercises)
+
+
+def checks(path):
+    """The names of a notebook's checks, such as "dh_recipe.1"."""
+    return {said for cell in tagged(read(path), "check").values()
+            for said in re.findall(r'check\("([\w.]+)"', cell.source)}
+
+
+def test_a_lesson_has_exercises_enough():
+    """The DH recipe goes on in a second notebook, and so do the numbers of its exercises."""
+    every = [set(checks(path)) for path in LESSONS]
+    assert sum(map(len, every)) == len(set.union(*every)), "an exercise stands in two notebooks"
+    by_lesson = Counter(check.partition(".")[0] for check in set.union(*every))
+    assert min(by_lesson.values()) >= FEWEST_EXERCISES
+    assert all(every), "a notebook has no exercise"
 
 
 @pytest.mark.parametrize("path", LESSONS, ids=name)

@@ -34,7 +34,7 @@ def twist(theta, alpha, about, wrong):
 
 def x_2(theta):
     return Held(turned(exam(2, 0, theta, 0.4)[:3, 0], "y"),
-                [(theta, "turns the other way"), (120, "off")])
+                [(180 - theta, "but the other way"), (90 - theta, "There z₂ points")])
 
 
 def origin(done, wrong, words):
@@ -69,7 +69,7 @@ PREDICTED = {
         Held("θ₂", [("d₂", "along z₁"), ("none of them", "one of its numbers is the joint")]),
         Held("none of them", [("θ₂", "from x₁ to x₂"), ("α₂", "one stiff link")]),
         Held("none of them", [("d₂", "Joint 2 turns"), ("a₂", "links are stiff")])],
-    "dh_recipe.x2": [x_2(40), x_2(-60), x_2(90)],
+    "dh_recipe.x2": [x_2(40), x_2(-60), x_2(110)],
     "dh_recipe.zeros": [
         Held(["d₂", "α₂"], [(["d₂"], "parallel axes"), (["d₂", "α₂", "a₂"], "upper arm")]),
         Held(["d₄", "a₄"], [(["d₄"], "one point"), (["d₄", "a₄", "α₄"], "90° apart")]),
