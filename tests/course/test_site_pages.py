@@ -1,7 +1,7 @@
 """The site of the course: every link leads somewhere, nothing comes from elsewhere."""
 import itertools
 import re
-from html import unescape
+from html import escape, unescape
 from pathlib import Path
 from urllib.parse import unquote, urlparse
 
@@ -116,6 +116,19 @@ def test_views_begin_as_their_cells_left_them(saved, text):
     views = views_of(saved)
     spoken = re.findall(r'<img class="kl-still" alt="Picture of the arm. ([^"]*)"', text)
     assert [view.data["text/plain"] for view in views] == list(map(unescape, spoken))
+
+
+@every_lesson
+def test_what_answers_a_prediction_is_folded(saved, text):
+    folded = [cell for cell in saved.cells
+              if cell.metadata.get("jupyter", {}).get("outputs_hidden") and cell.outputs]
+    found = re.findall(r'<details><summary>What this gives</summary>\n<div class="kl-output">.*?'
+                       r"</details>", text, re.DOTALL)
+    assert len(found) == len(folded)
+    for cell, shown in zip(folded, found):
+        words = cell.outputs[0].get("data", {}).get("text/plain", "").splitlines()[:1]
+        assert "text/html" in cell.outputs[0].data or "text/latex" in cell.outputs[0].data or \
+            "image/png" in cell.outputs[0].data or escape(*words) in shown
 
 
 @every_lesson
