@@ -55,9 +55,9 @@ def _lands(theta: float, origin: tuple[float, float], why: str) -> Mark:
     """Where a point of frame 1 is in frame 0."""
     x, y = origin
     return Mark(
-        ask=f"Frame 1 is turned by {_number(theta)}°, and its origin is at {_pair(x, y)}. Where is "
-            "the point p¹ = (1, 0), as frame 0 sees it?",
-        why=why, start=_posed(0, -1, -1), shows=_posed(theta, x, y), of="point-p", tolerance=0.25,
+        ask=f"The origin of frame 1 is at {_pair(x, y)}. The frame turns by {_number(theta)}° and "
+            "takes the point p¹ = (1, 0) along. Where is p then, as frame 0 sees it?",
+        why=why, start=_posed(0, x, y), shows=_posed(theta, x, y), of="point-p", tolerance=0.25,
         slips=[((x + 1, y, 0), "You added p¹ as it is. It is measured along x₁, which has turned."),
                ((x, y, 0), "That is the origin of frame 1; the point is one step along x₁."),
                ((1, 0, 0), "That is p¹, measured from frame 0.")])

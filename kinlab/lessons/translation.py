@@ -155,12 +155,12 @@ def _carried(place: tuple[float, float], why: str) -> Mark:
     return Mark(
         ask=f"The point c rides along, with c¹ = (1, 2). Frame 1 slides to o₁⁰ = {_pair(x, y)}. "
             "Where is c then?",
-        why=why, start={"o_x": -2, "o_y": -1}, shows={"o_x": x, "o_y": y}, of="point-c",
+        why=why, start={"o_x": 1, "o_y": 0.5}, shows={"o_x": x, "o_y": y}, of="point-c",
         tolerance=0.25, slips=[
             ((1, 2, 0), "That is c¹, measured from frame 0; it begins at frame 1."),
-            ((-1, 1, 0), "There c was before. It rides along."),
-            ((-1 + x, 1 + y, 0), "You added the whole slide to where c was; o₁⁰ says where frame 1 "
-                                 "is, not how far it went.")])
+            ((2, 2.5, 0), "There c was before. It rides along."),
+            ((2 + x, 2.5 + y, 0), "You added the slide to where c was; o₁⁰ says where frame 1 is, "
+                                  "not how far it went.")])
 
 
 def _two_slides(first: tuple[float, float], second: tuple[float, float], why: str) -> Mark:
@@ -218,7 +218,7 @@ PREDICTIONS: dict[str, Asked] = {
                 why="What o₁⁰ loses, c¹ gains, and c⁰ stays: the point has not moved.")]),
     "translation.origin": Asked(sliding_view, [
         _origin((-1, 1), (2, 1), "One step left and one up from (2, 1) is (1, 2)."),
-        _origin((3, 1), (-2, 1), "Three steps right and one up from (−2, 1) is (1, 2)."),
+        _origin((2, 1), (-1, 1), "Two steps right and one up from (−1, 1) is (1, 2)."),
         _origin((0, 0), (1, 2), "A point that is seen at (0, 0) is at the origin itself.")]),
     "translation.back": Asked(sliding_view, [
         _seen_back((2, -1), "The way back is the same arrow turned round: −o₁⁰ = (−2, 1)."),
@@ -229,9 +229,9 @@ PREDICTIONS: dict[str, Asked] = {
         _change("y", "down the page and takes c along", ("000", "-0-"), before=1, after=-2,
                 why="The frame and the point move alike; what frame 1 sees, c¹, stays.")]),
     "translation.carried": Asked(riding_view, [
-        _carried((1, 0.5), "c⁰ = (1, 0.5) + (1, 2) = (2, 2.5)."),
-        _carried((0.5, -2), "c⁰ = (0.5, −2) + (1, 2) = (1.5, 0)."),
-        _carried((-2, 1), "c⁰ = (−2, 1) + (1, 2) = (−1, 3).")]),
+        _carried((-0.5, -0.5), "c⁰ = (−0.5, −0.5) + (1, 2) = (0.5, 1.5)."),
+        _carried((0.5, -1.5), "c⁰ = (0.5, −1.5) + (1, 2) = (1.5, 0.5)."),
+        _carried((-1, -1), "c⁰ = (−1, −1) + (1, 2) = (0, 1).")]),
     "translation.rate": Asked(None, [Several(
         ask="Frame 1 slides by a small step along x₀ and takes three points along: a near its "
             "origin, b far away, c on its y axis. Which of them make the same step?",
@@ -241,7 +241,7 @@ PREDICTIONS: dict[str, Asked] = {
                  "c": "Its c¹ stays, so c⁰ changes as o₁⁰ does."}, right=["a", "b", "c"])]),
     "translation.chain": Asked(chain_view, [
         _two_slides((1.5, -1), (-0.5, 2), "(1.5, −1) + (−0.5, 2) = (1, 1)."),
-        _two_slides((-1, -1.5), (-1, 1), "(−1, −1.5) + (−1, 1) = (−2, −0.5)."),
+        _two_slides((-0.5, -0.5), (0.5, 1.5), "(−0.5, −0.5) + (0.5, 1.5) = (0, 1)."),
         _two_slides((2, 1), (-1.5, -2), "(2, 1) + (−1.5, −2) = (0.5, −1).")]),
     "translation.order": Asked(None, [Choice(
         ask="Two slides lead to a frame: first (1.5, −1), then (1, 1.5). Carry them out in the "

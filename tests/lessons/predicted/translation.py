@@ -12,7 +12,7 @@ PREDICTED = {
         Held(["-+0", "000"], [(["--0", "000"], SAID), (["-0-", "000"], SAID)])],
     "translation.origin": [
         Held([2, 1, 0], [([0, 3, 0], "go back from c"), ([-1, 1, 0], "measured from frame 1")]),
-        Held([-2, 1, 0], [([4, 3, 0], "go back from c"), ([3, 1, 0], "measured from frame 1")]),
+        Held([-1, 1, 0], [([3, 3, 0], "go back from c"), ([2, 1, 0], "measured from frame 1")]),
         Held([1, 2, 0], [([0, 0, 0], "measured from frame 1"), ([-1, -1, 0], "x, y = 1, 2")])],
     "translation.back": [
         Held("(−2, 1)", [("(2, −1)", "look back"), ("(0, 0)", "its own origin"),
@@ -22,17 +22,17 @@ PREDICTED = {
         Held(["+0+", "000"], [(["+-0", "000"], SAID), (["+++", "000"], SAID)]),
         Held(["000", "-0-"], [(["000", "-+0"], SAID), (["000", "---"], SAID)])],
     "translation.carried": [
-        Held([2, 2.5, 0], [([1, 2, 0], "measured from frame 0"), ([-1, 1, 0], "rides along"),
-                           ([0, 1.5, 0], "not how far it went")]),
-        Held([1.5, 0, 0], [([1, 2, 0], "measured from frame 0"), ([-0.5, -1, 0], "whole slide")]),
-        Held([-1, 3, 0], [([1, 2, 0], "measured from frame 0"), ([-3, 2, 0], "whole slide")])],
+        Held([0.5, 1.5, 0], [([1, 2, 0], "measured from frame 0"), ([2, 2.5, 0], "rides along"),
+                             ([1.5, 2, 0], "not how far it went")]),
+        Held([1.5, 0.5, 0], [([1, 2, 0], "measured from frame 0"), ([2.5, 1, 0], "added the slide")]),
+        Held([0, 1, 0], [([1, 2, 0], "measured from frame 0"), ([1, 1.5, 0], "added the slide")])],
     "translation.rate": [
         Held(["a", "b", "c"], [(["a"], "Far away or near"), (["b", "c"], "holds for it"),
                                ([], "“c” is missing")])],
     "translation.chain": [
         Held([1, 1, 0], [([-0.5, 2, 0], "begins at frame 1"), ([2, -3, 0], "went back"),
                          ([1.5, -1, 0], "That is frame 1")]),
-        Held([-2, -0.5, 0], [([-1, 1, 0], "begins at frame 1"), ([0, -2.5, 0], "went back")]),
+        Held([0, 1, 0], [([0.5, 1.5, 0], "begins at frame 1"), ([-1, -2, 0], "went back")]),
         Held([0.5, -1, 0], [([-1.5, -2, 0], "begins at frame 1"), ([2, 1, 0], "That is frame 1")])],
     "translation.order": [
         Held(YES, [("yes, but only for these numbers", "for all numbers"),
