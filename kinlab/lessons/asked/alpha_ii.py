@@ -9,6 +9,7 @@ from ...answers.prediction import Asked, Choice, Direction, Mark, Number, Severa
 from ...arms import robots
 from ...views.arm_view import ArmView
 from ..views.four_motions import four_motions
+from . import said
 
 _JOINTS = tuple(f"theta_{k}" for k in range(1, 6))
 _HOME = (0, 0, 0, -90, 0)
@@ -33,7 +34,7 @@ def _at(*degrees: float) -> dict[str, float]:
 def _base(theta_1: float, why: str, slip: tuple) -> Mark:
     return Mark(
         ask="The arm is stretched out level along x₀, 485 mm long, seen from above. Joint 1 turns "
-            f"everything about the vertical z₀. Where will the tip be at θ₁ = {theta_1:g}°?",
+            f"everything about the vertical z₀. Where will the tip be at θ₁ = {said(theta_1)}°?",
         why=why, shows={"theta_1": theta_1}, of="tip", axes="xy", seen="top", tolerance=60,
         slips=[slip])
 
@@ -47,7 +48,7 @@ def _bend(pose: dict, ask: str, why: str, slips: list) -> Mark:
 
 
 def _pose(number: str, why: str, *degrees: float, slips: list) -> Mark:
-    told = ", ".join(f"{value:g}°".replace("-", "−") for value in degrees)
+    told = ", ".join(f"{said(value)}°" for value in degrees)
     return Mark(ask=f"You see soft home. Then q = ({told}){number}. Where is the tip?",
                 why=why, start=_at(*_HOME), shows=_at(*degrees), of="tip", axes="xz",
                 seen="front", tolerance=60, slips=slips)
@@ -76,8 +77,8 @@ _POSES = [
 def _carried(alpha: float, degrees: float, why: str) -> Direction:
     return Direction(
         ask="θ = 0°, and the last of the four motions turns the frame about its x axis, which "
-            f"points towards you, by α = {alpha:g}°. Which way will its z axis point? (0° is along "
-            "y₀, 90° up.)",
+            f"points towards you, by α = {said(alpha)}°. Which way will its z axis point? (0° is "
+            "along y₀, 90° up.)",
         why=why, start={"theta": 0, "d": 0.9, "a": 0, "alpha": alpha, "motion": 3},
         shows={"motion": 4}, of="frame-1-z", about="x", seen="side", begin=90,
         slips=[(180 - degrees, "That is a turn the other way. A positive one goes from y towards "
@@ -85,7 +86,7 @@ def _carried(alpha: float, degrees: float, why: str) -> Direction:
 
 
 def _approach(why: str, *degrees: float, slips: list) -> Direction:
-    told = ", ".join(f"{value:g}°".replace("-", "−") for value in degrees)
+    told = ", ".join(f"{said(value)}°" for value in degrees)
     return Direction(
         ask=f"You see soft home: the tool points along x₀. Then q = ({told}). Which way will the "
             "tool's z axis, z₅, point? (0° is up, 90° along x₀, 180° down.)",

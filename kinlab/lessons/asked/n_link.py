@@ -17,6 +17,7 @@ from ..views.n_link import (
     two_view,
     zyz_view,
 )
+from . import said
 
 # ---- One link ---------------------------------------------------------------------------
 
@@ -30,8 +31,8 @@ def _slide(alpha: float, d: float, place: tuple, slips: list) -> Mark:
     up = ((a, 0.0, d), "That is straight up. The slide goes along z of the frame that moves, and "
                        "α has tilted it.")
     return Mark(
-        ask=f"Three motions are done: a turn about x by α = {alpha:g}°, a slide along x, a turn "
-            f"about z. The last one is a slide along z by d = {d:g} m. Where will the "
+        ask=f"Three motions are done: a turn about x by α = {said(alpha)}°, a slide along x, a "
+            f"turn about z. The last one is a slide along z by d = {said(d)} m. Where will the "
             "frame's origin be?",
         why="The slide goes along the tilted z₁ = (0, −sin α, cos α): it adds "
             f"{_signed(place[1])} m in y and {_signed(place[2])} m in z, so d enters rows 2 and 3.",
@@ -55,9 +56,9 @@ def _hint() -> Several:
 def _flat(twist: float, height: float) -> Mark:
     return Mark(
         ask="A cube 1 m high stands on the ground. Take the printed matrix with αᵢ₋₁ = 0° and "
-            f"αᵢ = {twist:g}°: its entry (3, 3) is cos {twist:g}°. Where does it take the corner P "
-            "= (0.5, −0.5, 1)?",
-        why=f"Every height is multiplied by cos {twist:g}° = {height:g}; x and y stay. "
+            f"αᵢ = {said(twist)}°: its entry (3, 3) is cos {said(twist)}°. Where does it take the "
+            "corner P = (0.5, −0.5, 1)?",
+        why=f"Every height is multiplied by cos {said(twist)}° = {said(height)}; x and y stay. "
             + ("The cube is pressed flat, and no inverse brings it back." if height == 0 else
                "A matrix that moves a rigid link would leave the cube as it is."),
         start={"alpha_i": 0, "theta_i": 0}, shows={"alpha_i": twist}, of="point-P", axes="xz",
@@ -73,8 +74,8 @@ _FROM_ROOM = "You counted θ₂ from the x axis of the room. It is counted from 
 
 def _tip(theta_1: float, theta_2: float, why: str, slip: tuple) -> Mark:
     return Mark(
-        ask=f"The arm goes to θ₁ = {theta_1:g}°, θ₂ = {theta_2:g}°. Both links are 1 m long. Where "
-            "is the tip then?",
+        ask=f"The arm goes to θ₁ = {said(theta_1)}°, θ₂ = {said(theta_2)}°. Both links are 1 m "
+            "long. Where is the tip then?",
         why=why, shows={"theta_1": theta_1, "theta_2": theta_2}, of="tip", axes="xy",
         tolerance=0.2, slips=[slip])
 
@@ -82,9 +83,9 @@ def _tip(theta_1: float, theta_2: float, why: str, slip: tuple) -> Mark:
 def _second(theta_1: float, theta_2: float, elbow: tuple, tip: tuple) -> Mark:
     return Mark(
         ask="The table is modified: frame i sits at the near end of link i. Where is the origin of "
-            f"frame 2 at θ₁ = {theta_1:g}°, θ₂ = {theta_2:g}°?",
-        why=f"Link 2 begins at the elbow, ({elbow[0]:g}, {elbow[1]:g}): its length stands in no "
-            "row, it is the tool.",
+            f"frame 2 at θ₁ = {said(theta_1)}°, θ₂ = {said(theta_2)}°?",
+        why=f"Link 2 begins at the elbow, ({said(elbow[0])}, {said(elbow[1])}): its length stands "
+            "in no row, it is the tool.",
         shows={"theta_1": theta_1, "theta_2": theta_2}, of="frame-2-x", axes="xy", tolerance=0.2,
         begin=(0.5, 0.5, 0.0),
         slips=[((*tip, 0.0), "That is the tip. In a modified table frame 2 sits at the near end of "
@@ -96,9 +97,9 @@ def _header(theta_2: float, true_tip: tuple) -> Mark:
     return Mark(
         ask="The thin line is the arm as a standard table would mean it: link 1 has no length, and "
             f"a₁ = 1 m belongs to link 2. θ₁ stays at 30°. Where will its tip "
-            f"p′ be at θ₂ = {theta_2:g}°?",
+            f"p′ be at θ₂ = {said(theta_2)}°?",
         why="Both joints of the misread arm sit at the base, and its two lengths make one rigid "
-            f"bar of 2 m. It points at θ₁ + θ₂ = {30 + theta_2:g}°.",
+            f"bar of 2 m. It points at θ₁ + θ₂ = {said(30 + theta_2)}°.",
         start={"theta_1": 30, "theta_2": 45}, shows={"theta_2": theta_2}, of="point-p′", axes="xy",
         tolerance=0.3,
         slips=[((*true_tip, 0.0), "That is the tip of the real arm. In the misread one, joint 2 "
@@ -115,8 +116,8 @@ _REGULAR = dict(zip(_ZERO, (30, 40, -20, 50, 60, 70)))
 def _given(theta_2: float, theta_3: float, why: str, slips: list) -> Mark:
     return Mark(
         ask="You see the arm at q = 0, from the front: z₂ and z₃ point towards you. θ₂ turns to "
-            f"{theta_2:g}°, θ₃ to {theta_3:g}°, the others stay at 0°. a₂ = 0.5 m, d₄ = d₆ = 1 m. "
-            "Where is the tip then?",
+            f"{said(theta_2)}°, θ₃ to {said(theta_3)}°, the others stay at 0°. a₂ = 0.5 m, d₄ = d₆ "
+            "= 1 m. Where is the tip then?",
         why=why, start=_ZERO, shows={"theta_2": theta_2, "theta_3": theta_3}, of="tip", axes="xz",
         seen="front", tolerance=0.3, slips=slips)
 
@@ -124,10 +125,10 @@ def _given(theta_2: float, theta_3: float, why: str, slips: list) -> Mark:
 def _tool(theta_5: float, degrees: float, way: str) -> Direction:
     return Direction(
         ask="The arm stands as given, straight up. z₅ points towards you in this picture. Only "
-            f"θ₅ turns, to {theta_5:g}°. Which way will z₆, the tool, point? "
+            f"θ₅ turns, to {said(theta_5)}°. Which way will z₆, the tool, point? "
             "(0° is up, 90° along x₀.)",
-        why=f"A right-handed turn by {theta_5:g}° about z₅ = (0, −1, 0) takes z₆ from straight up "
-            f"to {way}.",
+        why=f"A right-handed turn by {said(theta_5)}° about z₅ = (0, −1, 0) takes z₆ from straight "
+            f"up to {way}.",
         start=_GIVEN, shows={"theta_5": theta_5}, of="frame-6-z", about="y", seen="front",
         slips=[(-degrees, "That is a turn the other way. The thumb of your right hand points along "
                           "z₅, towards you; the fingers show a positive turn.")])
@@ -170,10 +171,10 @@ _TURNING = Several(
 def _far_axis(theta_3: float, degrees: float, near: str) -> Direction:
     return Direction(
         ask="Frames 3 and 3′ share their origin. z₃ is the axis of joint 3, z₃′ that of joint 4, "
-            f"the line of the forearm. θ₂ stays at 45°, θ₃ goes to {theta_3:g}°. Which way will "
-            "z₃′ point? (0° is up, 90° along x₀.)",
-        why=f"The forearm leans by θ₂ + θ₃ = {45 + theta_3:g}° about an axis that points towards "
-            f"you: {near}. z₃ itself does not move.",
+            f"the line of the forearm. θ₂ stays at 45°, θ₃ goes to {said(theta_3)}°. Which way "
+            "will z₃′ point? (0° is up, 90° along x₀.)",
+        why=f"The forearm leans by θ₂ + θ₃ = {said(45 + theta_3)}° about an axis that points "
+            f"towards you: {near}. z₃ itself does not move.",
         start={"theta_1": 0, "theta_2": 45, "theta_3": -75}, shows={"theta_3": theta_3},
         of="frame-3′-z", about="y", seen="front", begin=30.0,
         slips=[(-degrees, "That is the lean to the other side: a positive turn about z₃, which "
@@ -190,10 +191,10 @@ def _six_ends() -> object:
 
 def _sum(phi: float, psi: float) -> Direction:
     return Direction(
-        ask=f"φ = {phi:g}° and ψ = {psi:g}°. θ goes from 50° to 0°. Which way will x point, in "
-            "degrees from x₀?",
-        why=f"At θ = 0 both turns are about z₀ and add up: {phi:g}° + {psi:g}° = {phi + psi:g}°. "
-            "Only their sum can be seen.",
+        ask=f"φ = {said(phi)}° and ψ = {said(psi)}°. θ goes from 50° to 0°. Which way will x "
+            "point, in degrees from x₀?",
+        why="At θ = 0 both turns are about z₀ and add up: "
+            f"{said(phi)}° + {said(psi)}° = {said(phi + psi)}°. Only their sum can be seen.",
         start={"phi": phi, "theta": 50, "psi": psi}, shows={"theta": 0}, of="frame--x",
         about="z", seen="top", tolerance=10,
         slips=[(phi, "That is φ alone. ψ turns about the same axis once θ is 0."),

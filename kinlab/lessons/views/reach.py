@@ -27,9 +27,9 @@ _SWITCHES = [Switch("cloud", "Cloud", "Points that the tool reaches", True),
 def reach_view() -> LiveView:
     """The Alpha II in a cloud of the points that it reaches, cut open by an upright plane.
 
-    The plane turns about the axis of the base by the knob "slice", or by its rim. The line in it is the exact
-    edge: arcs about shoulder and elbow. As long as the plane is within 30° of x, each of its
-    sides is reached with one value of joint 1 only; beyond that, with two.
+    The plane turns about the axis of the base by the knob "slice", or by its rim. The line in
+    it is the exact edge: arcs about shoulder and elbow. As long as the plane is within 30° of x,
+    each of its sides is reached with one value of joint 1 only; beyond that, with two.
     """
     arm = robots.alpha_ii()
     sketch = Sketch.of(arm, name="What the Alpha II reaches", keep=lambda item: not item.layer)
