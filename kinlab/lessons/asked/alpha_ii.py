@@ -171,7 +171,7 @@ _SOFT_HOME = Signs(
     ask="Arm and tool are level and point along x₀; x₅ points up. Each column of R is an axis of "
         "the tool, seen from the base. Fill in its signs.",
     rows=("x₀", "y₀", "z₀"), columns=("n", "s", "a"), right=("00+", "0-0", "+00"),
-    among={"+": "1", "-": "−1", "0": "0"},
+    among={"+": "one", "-": "minus one", "0": "zero"},
     why="a = (1, 0, 0) points forwards, n = (0, 0, 1) up, and s = a × n = (0, −1, 0) to the right.",
     start=_at(*_HOME), shows=_at(*_HOME))
 
