@@ -15,6 +15,7 @@ import { drawn } from "./svg.js";
 /** @typedef {{ hold: Hold, item: Item | null, far: number }} Found what a pointer is at */
 /** @typedef {{ carry(event: MouseEvent): void, drop(): void }} Grip a hand that holds something */
 const FINGER = 22, POINTER = 14;                    // px: how far from a handle a hand may be
+const FRONT = 0.99;                                 // cosine of how far from straight on
 const DRAGS = 100;                                  // that are remembered
 
 const BODY = ".kl-shape-tube, .kl-shape-ball, .kl-shape-box";
@@ -178,13 +179,15 @@ export class Grasp {
   }
 
   /**
-   * In a plane a target comes to the pointer from anywhere, and so does a mark.
+   * In a plane a target comes to the pointer from anywhere, and so does a mark whose plane is seen
+   * from its front.
    * @param {PointerEvent} event
    * @returns {Found | null}
    */
   called({ pointerType }) {
-    const { target, calls } = this.scene, hold = this.holds[0];
-    return (target || calls) && hold && this.flat && pointerType !== "touch"
+    const { target, across } = this.scene, hold = this.holds[0];
+    const comes = across == null ? target && this.flat : Math.abs(this.lens.near[across]) > FRONT;
+    return comes && hold && pointerType !== "touch"
       ? { hold, item: null, far: Infinity } : null;
   }
 

@@ -30,6 +30,15 @@ function itemsOf({ kind, about, of }) {
 const movable = ({ kind, axes }) =>
   [..."xyz"].map((axis) => kind === "mark" && axes.includes(axis)).concat(kind === "direction");
 
+/**
+ * The axis across the plane in which a mark moves, if it moves in one.
+ * @param {Asked} one
+ */
+function across(one) {
+  const fixed = [0, 1, 2].filter((axis) => !movable(one)[axis]);
+  return fixed.length === 1 ? fixed[0] : undefined;
+}
+
 class Prediction {
   /** @type {Live | null} */
   live = null;
@@ -121,21 +130,21 @@ class Prediction {
     const knobs = scene.knobs.map((knob, i) => free[i - first]
       ? { ...knob, quantity: "mark" }
       : { ...knob, low: one.start[i], high: one.start[i], quantity: "" });
-    const mine = scene.handles.filter(({ name }) => OWN.includes(name)).map((handle) =>
-      ({ ...handle, knobs: handle.knobs.filter((k) => free[k - first]) }))
-      .filter(({ knobs: left }) => left.length);
-    const own = mine.filter(({ name, point }) => name === OWN[0] || this.isTip(point));
-    return { ...this.with(itemsOf(one).yours), knobs, handles: own, calls: one.kind === "mark",
-             pose: null, readings: [], chart: null, target: null, poses: [], home: one.start };
+    return { ...this.with(itemsOf(one).yours), knobs, handles: this.handle(free), pose: null,
+             across: across(one), readings: [], chart: null, target: null, poses: [],
+             home: one.start };
   }
 
   /**
-   * Whether a handle's point is the tip of the arrow that the case has.
-   * @param {number[]} point
+   * The handle of the mark or of the arrow that the case has; it goes where a hand may move it.
+   * @param {boolean[]} free
    */
-  isTip(point) {
-    const arrow = this.scene.items.find(({ gid }) => gid === itemsOf(this.one).yours[0]);
-    return arrow?.points[1].every((value, k) => value === point[k]);
+  handle(free) {
+    const { scene, one, question: { first } } = this, [, tip] = scene.items.find(({ gid }) =>
+      gid === itemsOf(one).yours[0])?.points ?? [];
+    return scene.handles.filter(({ name, point }) => name === OWN[0] ? one.kind === "mark"
+      : name === OWN[1] && String(point) === String(tip))
+      .map((handle) => ({ ...handle, knobs: handle.knobs.filter((k) => free[k - first]) }));
   }
 
   /** The scene once it has been answered: all of the view, what was set, and the gap. */

@@ -227,8 +227,8 @@ export interface Scene {
   floor: Floor | Nothing;
   fit: Fit | Nothing;
   chart: ChartScene | Nothing;
-  /** In a plane, its first handle comes to the pointer from anywhere. */
-  calls?: boolean;
+  /** The axis across the plane in which its first handle comes to the pointer from anywhere. */
+  across?: number;
 }
 
 /** A scene whose joints follow a target. */
