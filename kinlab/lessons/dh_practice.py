@@ -166,7 +166,7 @@ def _o_2(theta: float, why: str, standard: tuple[float, float, float]) -> Mark:
     return Mark(
         ask=f"The modified frames of the exam arm. θ₁ = 0, and θ₂* goes from 0 to {signed(theta)}. "
             "Set the mark where O₂ will be.",
-        why=why, of="frame-2-x", axes="xz", tolerance=0.08, begin=(0.3, -0.2, 0.9), seen="front",
+        why=why, of="frame-2-x", axes="xz", tolerance=0.08, begin=(-0.3, -0.2, 0.75), seen="front",
         slips=[(standard, "There the standard O₂ is, at the end of a₂.")],
         start=dict(theta_1=0, theta_2=0), shows=dict(theta_2=theta))
 
