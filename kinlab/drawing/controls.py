@@ -64,9 +64,10 @@ class Knob:
 
     @property
     def digits(self) -> int:
-        """Decimals that the slider shows."""
+        """Decimals that the slider shows: enough to tell one step from the next."""
         way = ((self.high - self.low) or abs(self.high) or 1.0) / self.scale  # one value: a lock
-        return max(1 if self.unit == "°" else 0, math.ceil(1 - math.log10(way)))
+        steps = math.ceil(-math.log10(self.step) - 1e-9)
+        return max(1 if self.unit == "°" else 0, math.ceil(1 - math.log10(way)), steps)
 
     @property
     def suffix(self) -> str:

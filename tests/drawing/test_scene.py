@@ -12,7 +12,7 @@ import kinlab as kl
 from kinlab.arms.joints import joint_range
 from kinlab.arms.kinematics import axis_frames
 from kinlab.drawing.arm_scene import arm_scene, is_planar
-from kinlab.drawing.controls import LAYERS, subscript
+from kinlab.drawing.controls import LAYERS, Knob, subscript
 from kinlab.drawing.scene import AXIS, NAME, SPATIAL, Item, Scene
 
 close = np.testing.assert_allclose
@@ -234,3 +234,9 @@ def test_a_locked_joint_has_no_part_in_the_tour():
     close(home, [0, 0.5])
     close(away, [0.6 * np.pi, 0.5])
     assert arm_scene(kl.Arm([kl.revolute(limits=(0.5, 0.5))])).poses == ((0.5,),)
+
+
+@pytest.mark.parametrize("way", [0.3, 2.5, 4, 13.9, 24, 100])
+def test_a_slider_shows_every_step(way):
+    knob = Knob.length("x", "x", 0.0, way)
+    assert f"{knob.step:.{knob.digits}f}" != f"{0:.{knob.digits}f}"
