@@ -1,4 +1,4 @@
-"""One solve of inverse kinematics, step by step, two methods side by side."""
+"""One solve of inverse kinematics, step by step: by one method, or by two side by side."""
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
@@ -33,12 +33,12 @@ class Tried(Protocol):
 
 
 def solve_scene(arm: Arm, goal: np.ndarray, trails: Mapping[str, Sequence[Tried]]) -> Scene:
-    """The arm twice, on its way to a point by two methods, and the error of each step.
+    """The arm on its way to a point, once for each method, and the error of each step.
 
     Errors, which a solve keeps as parts of the reach, are shown in the arm's unit.
     """
     last = max(map(len, trails.values())) - 1
-    sketch = _Solves(arm, goal)
+    sketch = _Solves(arm, goal, alone=len(trails) == 1)
     sketch.name = f"{sketch.name}: {' and '.join(trails)}"
     for k, (method, trail) in enumerate(trails.items()):
         sketch.stand(k, method, trail)
@@ -50,10 +50,10 @@ def solve_scene(arm: Arm, goal: np.ndarray, trails: Mapping[str, Sequence[Tried]
 
 
 class _Solves(Sketch):
-    """Two arms in one room, and a chart."""
+    """Two arms in one room, or one where it stands, and a chart."""
 
-    def __init__(self, arm: Arm, goal: np.ndarray) -> None:
-        self.arm, self.drawing, self.goal = arm, arm_scene(arm), goal
+    def __init__(self, arm: Arm, goal: np.ndarray, alone: bool) -> None:
+        self.arm, self.drawing, self.goal, self.alone = arm, arm_scene(arm), goal, alone
         self.reach = typical_length(arm)
         super().__init__(arm.name or "Arm", planar=is_planar(arm), unit=arm.unit, grid=False)
         self.size = SIZE
@@ -93,6 +93,7 @@ class _Solves(Sketch):
         """A frame at the foot of one arm: the first one ends where the second begins."""
         box, gap = self._box(joints), _GAP * self.reach
         aside = -box[1, 0] - gap / 2 if k == 0 else gap / 2 - box[0, 0]
+        aside *= not self.alone
         self.boxes.append(box + [aside, 0, 0])
         return self.move(TRANSLATE, 0, float(aside), parent=0)
 

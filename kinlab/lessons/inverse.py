@@ -1,4 +1,4 @@
-"""Lesson 10, inverse kinematics: the judges of its exercises."""
+"""Lesson 10, inverse kinematics: the judges of its exercises, and its predictions."""
 from __future__ import annotations
 
 from collections.abc import Callable
@@ -18,6 +18,10 @@ from ..answers.conditions import (
 from ..answers.judges import Judge, choices, function
 from ..answers.matrices import BY_ENTRY
 from ..arms import inputs, kinematics, robots
+from .asked.inverse import PREDICTIONS
+from .views.inverse import eight_view, leap_view, newton_view, tilt_view
+
+__all__ = ["JUDGES", "PREDICTIONS", "eight_view", "leap_view", "newton_view", "tilt_view"]
 
 _TWO, _ALPHA_II = robots.two_link(), robots.alpha_ii()
 

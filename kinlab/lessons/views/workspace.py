@@ -163,7 +163,8 @@ def _sweeps() -> list[list[float]]:
     """Joint 1 there and back, while joint 2 bends a little more each time."""
     bends = np.radians(np.linspace(0, 180, 7))
     turns = (-pi, 0.0, pi)  # half a turn at a time: slow enough for a smooth trace
-    return [[turn, bend, L1, L2, 1] for k, bend in enumerate(bends) for turn in turns[::1 - k % 2 * 2]]
+    return [[turn, bend, L1, L2, 1]
+            for k, bend in enumerate(bends) for turn in turns[::1 - k % 2 * 2]]
 
 
 # ---- Limits -------------------------------------------------------------------------------
