@@ -6,23 +6,27 @@ lessons ask of an arm's joint values are here.
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from math import degrees, pi
+from math import degrees
 from typing import Any
 
 import numpy as np
 
 from ..arms.arm import Arm
-from ..arms.joints import joint_array, joint_limits
+from ..arms.inputs import TWO_TURNS
+from ..arms.joints import joint_limits
 from ..arms.kinematics import forward_kinematics
-from .judges import Judge, Slip, first_of, is_stub
+from .given import numbers, untouched
+from .judges import Judge, Slip, first_of
 from .verdict import BLANK, CORRECT, NOT_YET, Verdict
+from .words import counted, plain, right_but, to_do
 
 Condition = Callable[[np.ndarray], str]
 Reader = Callable[[Any], np.ndarray]
 
 
 def one_of_many(read: Reader, conditions: Sequence[Condition], *, slips: Sequence[Slip] = (),
-                noun: str = "joint values", praise: str) -> Judge:
+                noun: str = "joint values", praise: str, parts: Sequence[str] = (),
+                each: Sequence[Condition] = ()) -> Judge:
     """Judge of numbers that must meet all conditions.
 
     Parameters
@@ -35,19 +39,39 @@ def one_of_many(read: Reader, conditions: Sequence[Condition], *, slips: Sequenc
     noun : str
         What the answer holds.
     praise : str
+    parts : sequence of str
+        What the numbers are called, or the rows of numbers.
+    each : sequence of callables
+        What each part must meet by itself, if that can be told before the others are there.
     """
     def judge(answer: Any) -> Verdict:
-        if is_stub(answer):
+        if untouched(answer):
             return Verdict(BLANK, f"Replace the ... by your {noun}.")
         try:
             q = read(answer)
         except ValueError as error:
             return Verdict(NOT_YET, f"{error}.")
+        if np.isnan(q).any():
+            return _unfinished(q, parts, each)
         for condition in conditions:
-            if failure := condition(q):
-                return Verdict(NOT_YET, " ".join([failure, *first_of(slips, lambda test: test(q))]))
+            if failure := condition(q.copy()):
+                return Verdict(NOT_YET, " ".join([
+                    failure, *first_of(slips, lambda test: bool(test(q.copy())))]))
         return Verdict(CORRECT, praise)
     return judge
+
+
+def _unfinished(q: np.ndarray, parts: Sequence[str], each: Sequence[Condition]) -> Verdict:
+    """What there is to say of numbers of which some are still to come."""
+    gaps = np.isnan(q.reshape(len(q), -1)).any(axis=1)
+    names = parts or [f"number {i + 1}" for i in range(len(q))]
+    missing = [name for name, gap in zip(names, gaps) if gap]
+    there = [(name, condition) for name, condition, gap in zip(names, each, gaps) if not gap]
+    failures = [failure for _, condition in there if (failure := condition(q))]
+    if failures or not there:
+        words = to_do(missing)
+        return Verdict(NOT_YET, " ".join([*failures, f"{words[:1].upper()}{words[1:]}."]))
+    return Verdict(NOT_YET, right_but([name for name, _ in there], missing))
 
 
 def meet(conditions: Sequence[Condition], q: np.ndarray) -> bool:
@@ -55,7 +79,7 @@ def meet(conditions: Sequence[Condition], q: np.ndarray) -> bool:
     return not any(condition(q) for condition in conditions)
 
 
-def degrees_slip(conditions: Sequence[Condition] = (), most: float = 2 * pi, *,
+def degrees_slip(conditions: Sequence[Condition] = (), most: float = TWO_TURNS, *,
                  subject: str = "These numbers",
                  hint: str = "q is in radians, so write np.radians([...])") -> Slip:
     """The slip of angles in degrees.
@@ -78,14 +102,14 @@ def degrees_slip(conditions: Sequence[Condition] = (), most: float = 2 * pi, *,
 # ---- What lessons ask of an arm -----------------------------------------------------------
 
 
-def one_pose(arm: Arm, words: str) -> Reader:
-    """A reader of the joint values of one pose; `words` say how many, such as "five"."""
-    def read(answer: Any) -> np.ndarray:
-        q = joint_array(arm, answer)
-        if q.ndim != 1:
-            raise ValueError(f"q: expected {words} joint values, got shape {q.shape}")
-        return q
-    return read
+def exactly(shape: tuple[int, ...], wanted: str = "") -> Reader:
+    """A reader of an array of numbers; `wanted` says in words what it holds."""
+    return lambda answer: numbers(answer, shape, wanted=wanted).numbers
+
+
+def one_pose(arm: Arm) -> Reader:
+    """A reader of the joint values of one pose."""
+    return exactly((arm.n,), counted(arm.n, "joint value"))
 
 
 def within_limits(arm: Arm) -> Condition:
@@ -93,8 +117,9 @@ def within_limits(arm: Arm) -> Condition:
     def condition(q: np.ndarray) -> str:
         for i, (value, low, high) in enumerate(zip(q, *joint_limits(arm)), start=1):
             if (excess := max(low - value, value - high)) > 1e-9:
-                return (f"Joint {i} is at {degrees(value):.6g}°, {degrees(excess):.4g}° beyond its "
-                        f"limits, {degrees(low):.6g}° and {degrees(high):.6g}°.")
+                at, least, most = (plain(degrees(angle)) for angle in (value, low, high))
+                return (f"Joint {i} is at {at}°, {degrees(excess):.4g}° beyond its limits, "
+                        f"{least}° and {most}°.")
         return ""
     return condition
 

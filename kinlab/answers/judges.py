@@ -1,8 +1,9 @@
 """Judges of students' answers, made from a reference and a list of slips.
 
 A judge takes an answer and returns a `Verdict`: a word of praise, or the sentence that says what
-is wrong. A slip is a wrong answer that can be computed, with the sentence that explains it. Text
-from students is never evaluated.
+is wrong. A slip is a wrong answer that can be computed, with the sentence that explains it. It is
+named where it explains all that the student gave. Text from students is never evaluated, and what
+they hand over is never changed.
 """
 from __future__ import annotations
 
@@ -14,12 +15,15 @@ from typing import Any, TypeVar
 import numpy as np
 
 from ..arms import inputs
+from .calls import Call, called
+from .given import MOST, Given, is_stub, length, numbers, untouched
+from .hints import Names, Results, hint
 from .raised import in_words
 from .verdict import BLANK, CORRECT, NOT_YET, Verdict
+from .words import apart, counted, listed, plain, right_but, to_do
 
-# Relative, and absolute near zero: what was printed with six decimals and typed again counts as
-# right, and so does the rounding of any formula that a student may have taken.
-SAME_NUMBER = 1e-6
+__all__ = ["Case", "Judge", "Slip", "choices", "evaluated", "expressions", "first_of", "function",
+           "is_stub", "values"]
 
 Judge = Callable[[Any], Verdict]
 Case = Mapping[str, object]  # arguments by their names: numbers, or lists of numbers
@@ -46,9 +50,17 @@ def _reading(judge: Judge) -> Judge:
     return judged
 
 
-def function(reference: Callable, cases: Sequence[Case], *, entry: Callable[[tuple], str],
-             slips: Sequence[Slip] = (), praise: str) -> Judge:
+# ---- Functions -----------------------------------------------------------------------------------
+
+
+def function(reference: Callable, cases: Sequence[Case], *, entry: Names,
+             slips: Sequence[Slip] = (), praise: str, angles: Any = False, without: str = "",
+             prepare: Callable[..., Sequence] | None = None,
+             read: Callable[[Any], Any] | None = None) -> Judge:
     """Judge of a function: it must equal the reference in every case.
+
+    Each case is copied before each call. The first one is tried once more at the end, since a
+    function may keep something between its calls.
 
     Parameters
     ----------
@@ -60,6 +72,14 @@ def function(reference: Callable, cases: Sequence[Case], *, entry: Callable[[tup
     slips : sequence of (message, wrong function)
         The first one that gives the student's results in every case is named.
     praise : str
+    angles : bool, or array of bool
+        Which entries are angles: whole turns make no difference.
+    without : str
+        Said, if the task forbids kinlab's own functions, to who calls one.
+    prepare : callable, optional
+        Makes the student's arguments of a case's values; they are the arguments if left out.
+    read : callable, optional
+        Makes numbers of a result, or raises a ValueError that says what is wrong with it.
     """
     @_reading
     def judge(answer: Any) -> Verdict:
@@ -68,12 +88,169 @@ def function(reference: Callable, cases: Sequence[Case], *, entry: Callable[[tup
         if not callable(answer):
             return Verdict(NOT_YET, f"Expected a function, got {inputs.brief(answer)}; hand it "
                                     "over by its name, without parentheses.")
-        results = [_called(answer, case) for case in cases]
-        if all(map(is_stub, results)):
+        *calls, again = (called(answer, prepare(*case.values()) if prepare else [*case.values()],
+                                watched=bool(without)) for case in [*cases, cases[0]])
+        _refuse_help(calls, without)
+        _refuse_errors(calls, cases)
+        if all(untouched(call.result) for call in calls):
             return Verdict(BLANK, "The function returns nothing so far. Replace the ... and end "
                                   "with return.")
-        return _compared(results, reference, cases, entry, slips, praise)
+        rights = [np.asarray(reference(*case.values())) for case in cases]
+        given = [_result(call.result, right.shape, _for(case), read)
+                 for call, right, case in zip(calls, rights, cases)]
+        verdict = _compared(Results(given, rights, angles), cases, entry, slips, praise)
+        if verdict.ok:
+            verdict = _repeated(again, rights[0], cases[0], entry, angles, read) or verdict
+        return _with_remark(verdict, calls, cases, prepare is None)
     return judge
+
+
+def _refuse_help(calls: Sequence[Call], without: str) -> None:
+    helper = next((call.helper for call in calls if call.helper), "")
+    if without and helper:
+        raise _Unreadable(f"Your function calls kinlab's own `{helper}`. {without}")
+
+
+def _refuse_errors(calls: Sequence[Call], cases: Sequence[Case]) -> None:
+    for call, case in zip(calls, cases):
+        if call.error is not None:
+            raise _Unreadable(f"For {_said(case)} your function raised {in_words(call.error)}.")
+
+
+def _result(result: Any, shape: tuple, start: str, read: Callable | None) -> Given:
+    if is_stub(result):
+        raise _Unreadable(f"{start}: your function returns nothing here. Does every way through it "
+                          "end with return?")
+    try:
+        result = read(result) if read else result
+    except ValueError as error:
+        raise _Unreadable(f"{start}: {error}.") from None
+    return _numbers_of(result, shape, start, "your function")
+
+
+def _numbers_of(value: Any, shape: tuple, start: str, who: str) -> Given:
+    try:
+        return numbers(value, shape, start=start, who=who)
+    except ValueError as error:
+        raise _Unreadable(f"{error}.") from None
+
+
+def _repeated(again: Call, right: np.ndarray, case: Case, entry: Names, angles: Any,
+              read: Callable | None) -> Verdict | None:
+    """What there is to say of a function that gives something else when it is called once more."""
+    keeps = "Called with the same numbers again, your function should give the same again."
+    _refuse_errors([again], [case])
+    given = _result(again.result, right.shape, f"{keeps} {_for(case)}", read)
+    wrong = _first_wrong(Results([given], [right], angles), [case], entry)
+    return Verdict(NOT_YET, f"{keeps} {wrong} Does it keep something between two calls?") \
+        if wrong else None
+
+
+def _with_remark(verdict: Verdict, calls: Sequence[Call], cases: Sequence[Case],
+                 named: bool) -> Verdict:
+    """The praise, with a word on arguments that the function wrote into."""
+    changed = next((call.changed for call in calls if call.changed), ())
+    if not (verdict.ok and changed):
+        return verdict
+    what = f"the {list(cases[0])[changed[0]]}" if named else "what"
+    return Verdict(CORRECT, f"{verdict.message} One remark: your function changes {what} that it "
+                            "is given. Take a copy of it first, with np.array(...).")
+
+
+# ---- Numbers -------------------------------------------------------------------------------------
+
+
+def values(right: Any, *, entry: Names, slips: Sequence[tuple[str, Any]] = (), praise: str,
+           angles: Any = False, parts: Sequence[str] = ()) -> Judge:
+    """Judge of a vector or a matrix of numbers, which does not tell the right ones.
+
+    Parameters
+    ----------
+    right : array
+    entry : callable
+        Names an entry by its index.
+    slips : sequence of (message, wrong array)
+    praise : str
+    angles : bool, or array of bool
+        Which entries are angles: whole turns make no difference.
+    parts : sequence of str
+        What each row is called, where each is an answer by itself.
+    """
+    right = np.asarray(right, dtype=float)
+    named = [(message, lambda wrong=wrong: np.asarray(wrong)) for message, wrong in slips]
+
+    @_reading
+    def judge(answer: Any) -> Verdict:
+        if is_stub(answer):
+            return Verdict(BLANK, "Replace the ... by your numbers.")
+        if untouched(answer):
+            return Verdict(BLANK, "Replace every ... by a number.")
+        given = (_by_parts(answer, right, parts) if parts else
+                 _numbers_of(answer, right.shape, "Your answer", "you"))
+        return _compared(Results([given], [right], angles), [{}], entry, named, praise, parts)
+    return judge
+
+
+def _by_parts(answer: Any, right: np.ndarray, parts: Sequence[str]) -> Given:
+    """The rows of an answer, each read by itself, so that a message can name it."""
+    if not isinstance(answer, (list, tuple, np.ndarray)) or len(answer) != len(parts):
+        return _numbers_of(answer, right.shape, "Your answer", "you")
+    rows = [_numbers_of(part, row.shape, name, "you")
+            for name, part, row in zip(parts, answer, right)]
+    return Given(np.array([row.numbers for row in rows]), any(row.whole for row in rows))
+
+
+# ---- What numbers are compared with --------------------------------------------------------------
+
+
+def _compared(results: Results, cases: Sequence[Case], entry: Names, slips: Sequence[Slip],
+              praise: str, parts: Sequence[str] = ()) -> Verdict:
+    """The praise, or the first case where the results leave the reference."""
+    if untouched_in := [k for k, given in enumerate(results.given) if given.missing.all()]:
+        raise _Unreadable(f"{_for(cases[untouched_in[0]])}: replace every ... by a number.")
+    missing = _missing(results.given[0].missing, entry, parts)
+    if wrong := _first_wrong(results, cases, entry):
+        hints = first_of(slips, lambda slip: results.all_same(
+            [slip(*case.values()) for case in cases])) or hint(
+                results, entry, "return" if cases[0] else "give")
+        more = [f"{to_do(missing)}."[:1].upper() + f"{to_do(missing)}."[1:]] if missing else []
+        return Verdict(NOT_YET, " ".join([wrong, *hints, *more]))
+    if missing:
+        there = _missing(~results.given[0].missing, entry, parts)
+        return Verdict(NOT_YET, right_but([name for name in there if name not in missing], missing))
+    return Verdict(CORRECT, praise)
+
+
+def _first_wrong(results: Results, cases: Sequence[Case], entry: Names) -> str:
+    """Which number is the first wrong one, or ""."""
+    for k, (given, right, case) in enumerate(zip(results.given, results.right, cases)):
+        off = np.argwhere(~results.same(k, right))
+        if len(off):
+            index = tuple(off[0].tolist())
+            should, got = apart(right[index], given.numbers[index])
+            return f"{_for(case)}: {entry(index)} " + (f"should be {should}, got {got}." if case
+                                                       else f"is not {got}.")
+    return ""
+
+
+def _missing(where: np.ndarray, entry: Names, parts: Sequence[str]) -> list[str]:
+    """The names of entries, those of a whole part by the part's name."""
+    if not parts:
+        return [entry(tuple(index)) for index in np.argwhere(where).tolist()]
+    names = []
+    for i, (part, here) in enumerate(zip(parts, where)):
+        entries = [entry((i, *index)) for index in np.argwhere(here).tolist()]
+        names += [part] if here.all() else entries
+    return names
+
+
+def first_of(slips: Sequence[tuple[str, Wrong]],
+             matches: Callable[[Wrong], bool]) -> list[str]:
+    """The message of the first slip that matches, as a list of one, or an empty list."""
+    return next(([message] for message, wrong in slips if matches(wrong)), [])
+
+
+# ---- Expressions ---------------------------------------------------------------------------------
 
 
 def expressions(names: Sequence[str], reference: Callable, points: Sequence[Case], *,
@@ -93,8 +270,12 @@ def expressions(names: Sequence[str], reference: Callable, points: Sequence[Case
     slips : sequence of (message, wrong function)
     praise : str
     """
-    return evaluated(names, points, constants, lambda results: _compared(
-        results, reference, points, lambda index: names[index[0]], slips, praise))
+    def verdict(results: list[list[float]]) -> Verdict:
+        rights = [np.asarray(reference(*point.values()), dtype=float) for point in points]
+        given = [Given(np.array(numbers)) for numbers in results]
+        return _compared(Results(given, rights), points, lambda index: names[index[0]], slips,
+                         praise)
+    return evaluated(names, points, constants, verdict)
 
 
 def evaluated(names: Sequence[str], points: Sequence[Case], constants: Case,
@@ -106,7 +287,7 @@ def evaluated(names: Sequence[str], points: Sequence[Case], constants: Case,
     names, points, constants
         As in `expressions`.
     verdict : callable
-        What there is to say of the numbers.
+        What there is to say of the numbers; those still to come are nan.
     """
     @_reading
     def judge(answer: Any) -> Verdict:
@@ -116,28 +297,30 @@ def evaluated(names: Sequence[str], points: Sequence[Case], constants: Case,
     return judge
 
 
-def values(right: Any, *, entry: Callable[[tuple], str], slips: Sequence[tuple[str, Any]] = (),
-           praise: str) -> Judge:
-    """Judge of a vector or a matrix of numbers, which does not tell the right ones.
+def _value(name: str, part: Any, point: Case, constants: Case) -> float:
+    import sympy  # only lessons with expressions to judge need it
 
-    Parameters
-    ----------
-    right : array
-    entry : callable
-        Names an entry by its index.
-    slips : sequence of (message, wrong array)
-    praise : str
-    """
-    named = [(message, lambda wrong=wrong: np.asarray(wrong)) for message, wrong in slips]
+    if is_stub(part):
+        return np.nan
+    if not isinstance(part, (Real, sympy.Expr)):
+        raise _Unreadable(f"{name}: expected a sympy expression, got {inputs.brief(part)}"
+                          + ("; leave out the quotes." if isinstance(part, str) else "."))
+    expression = sympy.sympify(part, strict=True)  # strict: numbers only, never text
+    symbols, values = expression.free_symbols, {**constants, **point}
+    strange = sorted({symbol.name for symbol in symbols} - set(values))
+    if strange:
+        raise _Unreadable(f"{name} holds {listed(strange)}; only "
+                          f"{', '.join([*point, *constants])} may stand in it.")
+    try:
+        value = float(expression.subs({s: values[s.name] for s in symbols}))
+    except (TypeError, ValueError, OverflowError):
+        value = np.nan
+    if not np.isfinite(value):
+        raise _Unreadable(f"{name} is not a real number at {_said(point)}.")
+    return value
 
-    @_reading
-    def judge(answer: Any) -> Verdict:
-        if is_stub(answer):
-            return Verdict(BLANK, "Replace the ... by your numbers.")
-        if isinstance(answer, (list, tuple)) and answer and all(map(is_stub, answer)):
-            return Verdict(BLANK, "Replace every ... by a number.")
-        return _compared([answer], lambda: right, [{}], entry, named, praise)
-    return judge
+
+# ---- Sets ----------------------------------------------------------------------------------------
 
 
 def choices(expected: Mapping[str, set], allowed: set, reasons: Mapping[tuple, str], *,
@@ -156,136 +339,82 @@ def choices(expected: Mapping[str, set], allowed: set, reasons: Mapping[tuple, s
     """
     @_reading
     def judge(answer: Any) -> Verdict:
-        for (name, right), part in zip(expected.items(), _parts(answer, expected, "set")):
-            given = _numbers(name, part, allowed, noun)
-            faulty = sorted(given - right) or sorted(right - given)
-            if faulty:
-                fault = f"not {noun} {faulty[0]}" if faulty[0] in given else "one is missing"
-                hint = reasons.get((name, faulty[0]), "")
+        parts = dict(zip(expected, _parts(answer, expected, "set")))
+        missing = [name for name, part in parts.items() if is_stub(part)]
+        there = {name: _chosen(name, part, allowed, noun) for name, part in parts.items()
+                 if name not in missing}
+        for name, given in there.items():
+            extra, lacking = sorted(given - expected[name]), sorted(expected[name] - given)
+            if extra or lacking:
+                fault = f"not {noun} {extra[0]}" if extra else (
+                    f"{counted(len(lacking), 'thing').split()[0]} "
+                    f"{'is' if len(lacking) == 1 else 'are'} missing")
+                hint = reasons.get((name, (extra or lacking)[0]), "")
                 return Verdict(NOT_YET,
                                f"{name}: got {_braces(given)}, but {fault}. {hint}".strip())
+        if missing:
+            return Verdict(NOT_YET, right_but(list(there), missing))
         return Verdict(CORRECT, praise)
     return judge
 
 
-def is_stub(value: Any) -> bool:
-    """True for what stands in an exercise before it is done: ... or None."""
-    return value is None or value is ...
-
-
-def _called(answer: Callable, case: Case) -> Any:
-    try:
-        return answer(*case.values())
-    except Exception as error:  # the student's own code: say what it said
-        raise _Unreadable(f"For {_said(case)} your function raised {in_words(error)}.") from None
-
-
-def _compared(results: Sequence, reference: Callable, cases: Sequence[Case],
-              entry: Callable[[tuple], str], slips: Sequence[Slip], praise: str) -> Verdict:
-    """The praise, or the first case where the results leave the reference."""
-    rights = [np.asarray(reference(*case.values())) for case in cases]
-    results = [_array(result, right.shape, case)
-               for result, right, case in zip(results, rights, cases)]
-
-    def is_slip(wrong: Callable) -> bool:
-        return all(np.all(_close(result, wrong(*case.values())))
-                   for result, case in zip(results, cases))
-
-    for result, right, case in zip(results, rights, cases):
-        off = np.argwhere(~_close(result, right))
-        if len(off):
-            index = tuple(off[0])
-            should, got = (f"{array[index] + 0.0:.6g}" for array in (right, result))
-            where = _for(case) + (f"{entry(index)} should be {should}, got {got}." if case
-                                  else f"{entry(index)} is not {got}.")
-            hints = first_of(slips, is_slip) or _rounding(results, rights, "return" if case
-                                                          else "give")
-            return Verdict(NOT_YET, " ".join([where, *hints]))
-    return Verdict(CORRECT, praise)
-
-
-def _rounding(results: Sequence[np.ndarray], rights: Sequence[np.ndarray], verb: str) -> list[str]:
-    """The hint that all results are right but for the decimals that are missing, if they are."""
-    rounded = any(all(np.allclose(result, np.round(right, decimals), rtol=1e-12, atol=1e-12)
-                      for result, right in zip(results, rights)) for decimals in range(1, 7))
-    return [f"It looks rounded: {verb} all digits."] * rounded
-
-
-def _array(result: Any, shape: tuple, case: Case) -> np.ndarray:
-    try:
-        array = inputs.real_array("the result", result, f"numbers of shape {shape}")
-    except ValueError as error:
-        raise _Unreadable(f"{_for(case)}{error}.") from None
-    if array.shape != shape:
-        raise _Unreadable(f"{_for(case)}expected a result of shape {shape}, got {array.shape}.")
-    return array
-
-
-def _close(a: np.ndarray, b: Any) -> np.ndarray:
-    return np.isclose(a, b, rtol=SAME_NUMBER, atol=SAME_NUMBER)
-
-
-def first_of(slips: Sequence[tuple[str, Wrong]],
-             matches: Callable[[Wrong], bool]) -> list[str]:
-    """The message of the first slip that matches, as a list of one, or an empty list."""
-    return next(([message] for message, wrong in slips if matches(wrong)), [])
-
-
-def _parts(answer: Any, names: Any, noun: str) -> list:
-    """The parts of an answer that comes as a list, a tuple, an array or a sympy matrix."""
-    every = list(names)
-    listed = every if len(every) < 7 else [every[0], "...", every[-1]]
-    wanted = f"{len(every)} {noun}{'s' * (len(every) > 1)}: {', '.join(listed)}"
-    if is_stub(answer):
-        raise _Unreadable(f"Give {wanted}.", BLANK)
-    if isinstance(answer, (str, bytes, dict, set)) or not hasattr(answer, "__len__"):
-        raise _Unreadable(f"Expected {wanted}, in a list; got {inputs.brief(answer)}.")
-    parts = list(np.ravel(answer)) if hasattr(answer, "shape") else list(answer)
-    if parts and all(map(is_stub, parts)):
-        raise _Unreadable(f"Give {wanted}.", BLANK)
-    if len(parts) != len(names):
-        raise _Unreadable(f"Expected {wanted}; got {len(parts)}.")
-    stubs = [name for name, part in zip(names, parts) if is_stub(part)]
-    if stubs:
-        raise _Unreadable(f"{stubs[0]}: this {noun} is still the stub; replace its ...")
-    return parts
-
-
-def _value(name: str, part: Any, point: Case, constants: Case) -> float:
-    import sympy  # only lessons with expressions to judge need it
-
-    if not isinstance(part, (Real, sympy.Expr)):
-        raise _Unreadable(f"{name}: expected a sympy expression, got {inputs.brief(part)}"
-                          + ("; leave out the quotes." if isinstance(part, str) else "."))
-    expression = sympy.sympify(part, strict=True)  # strict: numbers only, never text
-    symbols, values = expression.free_symbols, {**constants, **point}
-    strange = sorted({symbol.name for symbol in symbols} - set(values))
-    if strange:
-        raise _Unreadable(f"{name} holds {', '.join(strange)}; only "
-                          f"{', '.join([*point, *constants])} may stand in it.")
-    try:
-        return float(expression.subs({s: values[s.name] for s in symbols}))
-    except (TypeError, ValueError):
-        raise _Unreadable(f"{name} is not a real number at {_said(point)}.") from None
-
-
-def _numbers(name: str, part: Any, allowed: set, noun: str) -> set:
+def _chosen(name: str, part: Any, allowed: set, noun: str) -> set:
     if isinstance(part, (str, bytes)) or not hasattr(part, "__len__"):
         raise _Unreadable(f"{name}: expected a set of {noun} numbers such as {{1, 2}}, "
                           f"got {inputs.brief(part)}.")
-    for joint in part:
-        if joint not in allowed:
-            raise _Unreadable(f"{name}: there is no {noun} {inputs.brief(joint)}; choose from "
+    for number in part:
+        if is_stub(number):
+            raise _Unreadable(f"{name}: there is still a ... in it.")
+        if not isinstance(number, (Real, np.number)) or number not in allowed:
+            raise _Unreadable(f"{name}: there is no {noun} {inputs.brief(number)}; choose from "
                               f"{_braces(allowed)}.")
-    return {int(joint) for joint in part}
+    return {int(number) for number in part}
 
 
 def _braces(numbers: set) -> str:
     return "{" + ", ".join(map(str, sorted(numbers))) + "}"
 
 
+# ---- Parts of an answer --------------------------------------------------------------------------
+
+
+def _parts(answer: Any, names: Any, noun: str) -> list:
+    """The parts of an answer that comes as a list, a tuple, an array or a sympy matrix.
+
+    Stubs may stand among them, if something stands there, too.
+    """
+    every = list(names)
+    few = every if len(every) < 7 else [every[0], "...", every[-1]]
+    wanted = f"{len(every)} {noun}{'s' * (len(every) > 1)}: {', '.join(few)}"
+    if is_stub(answer):
+        raise _Unreadable(f"Give {wanted}.", BLANK)
+    if isinstance(answer, (str, bytes, dict, set)) or not hasattr(answer, "__len__"):
+        raise _Unreadable(f"Expected {wanted}, in a list; got {inputs.brief(answer)}.")
+    if (size := length(answer)) > MOST:
+        raise _Unreadable(f"Expected {wanted}; got {size}.")
+    parts = list(np.ravel(answer)) if hasattr(answer, "shape") else list(answer)
+    if noun == "expression":
+        parts = _flat(parts, len(every))
+    if parts and all(map(is_stub, parts)):
+        raise _Unreadable(f"Give {wanted}.", BLANK)
+    if len(parts) != len(every):
+        raise _Unreadable(f"Expected {wanted}; got {len(parts)}.")
+    return parts
+
+
+def _flat(parts: list, most: int) -> list:
+    """Expressions that come row by row, or a column of them, as one list."""
+    rows = [part for part in parts if isinstance(part, (list, tuple))]
+    if not rows or len(rows) < len(parts) or sum(map(len, rows)) != most:
+        return parts
+    if len({len(row) for row in rows}) == 1 < len(rows[0]):
+        raise _Unreadable(f"Your answer is a list of {counted(len(rows), 'row')}. Wrap it in "
+                          "sp.Matrix(...), then it is a matrix.")
+    return [part for row in rows for part in row]
+
+
 def _for(case: Case) -> str:
-    return f"For {_said(case)}: " if case else "Your answer: "
+    return f"For {_said(case)}" if case else "Your answer"
 
 
 def _said(case: Case) -> str:
@@ -293,4 +422,4 @@ def _said(case: Case) -> str:
 
 
 def _written(value: Any) -> str:
-    return f"[{', '.join(map(_written, value))}]" if np.ndim(value) else f"{value:.6g}"
+    return f"[{', '.join(map(_written, value))}]" if np.ndim(value) else plain(value)

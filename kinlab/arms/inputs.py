@@ -218,6 +218,8 @@ def line(name: str, value: Any) -> str:
 
 def brief(value: Any, most: int = 60) -> str:
     """The value as it would be typed, shortened to fit a sentence."""
+    if isinstance(value, str | bytes | list | tuple):
+        value = value[:10 * most]  # of the rest nothing would be seen
     text = " ".join(repr(value).split())
     return text if len(text) <= most else text[: most - 3] + "..."
 

@@ -222,7 +222,7 @@ JUDGES: dict[str, Judge] = {
         praise="The height needs the three parallel joints, the direction adds the base, and "
                "only the full orientation feels the roll."),
     "alpha_ii.4": one_of_many(
-        one_pose(_ALPHA_II, "five"), _TABLE, slips=_TABLE_SLIPS,
+        one_pose(_ALPHA_II), _TABLE, slips=_TABLE_SLIPS,
         praise="Straight down, on the table and inside the limits. This is one of many answers: "
                "two conditions leave three of the five joints free."),
 }

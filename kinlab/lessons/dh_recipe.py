@@ -9,12 +9,14 @@ from typing import Any
 
 import numpy as np
 
-from ..answers.judges import Judge, choices, evaluated, expressions, first_of, is_stub, values
+from ..answers.given import untouched
+from ..answers.judges import Judge, choices, evaluated, expressions, first_of, values
 from ..answers.matrices import link_matrix, matrix_place
 from ..answers.placed_frames import examine_frames
 from ..answers.prediction import Asked, Choice, Direction, Mark, Several, Signs
 from ..answers.table_judge import examined, with_columns
 from ..answers.verdict import BLANK, CORRECT, NOT_YET, Fault, Verdict
+from ..answers.words import to_do
 from ..arms import robots
 from ..arms.arm import Arm
 from ..arms.kinematics import forward_kinematics, link_frames
@@ -391,6 +393,8 @@ _CELLS = [f"{name} of row {i}" for i in (1, 2, 3) for name in _COLUMNS]
 
 def _table(numbers: list[list[float]]) -> Verdict:
     """What there is to say of a table, known with all joints at zero and at the points."""
+    if gaps := [name for name, number in zip(_CELLS, numbers[0]) if np.isnan(number)]:
+        return _begun(numbers, gaps)
     tables = np.reshape(numbers, (-1, 3, 4))
     moved = tables[1:] - tables[0]
     places = [np.flatnonzero(np.abs(moved[:, i]).max(axis=0) > 1e-9).tolist() for i in range(3)]
@@ -408,6 +412,19 @@ def _table(numbers: list[list[float]]) -> Verdict:
     said, fault = _other_zero(arm)
     return Verdict(NOT_YET, " ".join(["The mechanism is right, but where theta_2* = 0 and d_3* = 0 "
                                       "it does not stand as in the view.", *hints, *said]), fault)
+
+
+def _begun(numbers: list[list[float]], gaps: list[str]) -> Verdict:
+    """What there is to say of a table with cells that are still to do.
+
+    It is judged as a whole, for its frames may be chosen; only the view's own can be told before.
+    """
+    rights = [_rows(*point.values()).ravel() for point in (dict.fromkeys(_JOINTS, 0.0), *_POINTS)]
+    there = ~np.isnan(numbers[0])
+    as_seen = np.allclose(np.array(numbers)[:, there], np.array(rights)[:, there])
+    start = "What is there is right, for the frames of the view; " if as_seen else ""
+    more = "" if as_seen else " A table is judged as a whole, since its frames may be chosen."
+    return Verdict(NOT_YET, f"{start}{to_do(gaps)}.{more}")
 
 
 def _other_zero(arm: Arm) -> tuple[list[str], Fault | None]:
@@ -504,7 +521,7 @@ _MEASURE_SLIPS = [
 
 
 def _frames(answer: Any) -> Verdict:
-    if _untouched(answer):
+    if untouched(answer):
         return Verdict(BLANK, "Replace every ... by three numbers.")
     try:
         placement = examine_frames(answer, _EXAM)
@@ -521,13 +538,6 @@ def _frames(answer: Any) -> Verdict:
         f"z{i} points the other way, so joint {i + 1} counts backwards." for i in turned)]))
 
 
-def _untouched(answer: Any) -> bool:
-    """Whether all that is in nested lists is still the stub."""
-    if isinstance(answer, (list, tuple)):
-        return bool(answer) and all(map(_untouched, answer))
-    return is_stub(answer)
-
-
 JUDGES: dict[str, Judge] = {
     "dh_recipe.1": choices(
         _KEPT, {1, 2, 3, 4, 5, 6}, _RULE_HINTS, noun="transform",
@@ -541,6 +551,7 @@ JUDGES: dict[str, Judge] = {
         _REVERSED),
     "dh_recipe.6": values(
         _MEASURED, entry=lambda index: _COLUMNS[index[0]], slips=_MEASURE_SLIPS,
+        angles=[True, False, False, True],
         praise="Four numbers out, and the four motions lead back to the same matrix."),
     "dh_recipe.7": _frames,
 }

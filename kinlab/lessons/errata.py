@@ -2,14 +2,13 @@
 from __future__ import annotations
 
 from math import cos, pi, sin
-from typing import Any
 
 import numpy as np
 
-from ..answers.conditions import one_of_many
+from ..answers.conditions import exactly, one_of_many
 from ..answers.judges import Judge, choices, expressions
 from ..answers.prediction import Asked, Mark, Number
-from ..arms import inputs, robots
+from ..arms import robots
 from ..arms.arm import Arm
 from ..arms.link import revolute
 from ..views.arm_view import ArmView
@@ -144,8 +143,7 @@ _COLUMN_SLIPS = [
 ]
 
 
-def _four_twists(answer: Any) -> np.ndarray:
-    return inputs.shaped("twists", answer, (4,), "four angles in radians")
+_four_twists = exactly((4,), "four angles in radians")
 
 
 def _in_radians(twists: np.ndarray) -> str:

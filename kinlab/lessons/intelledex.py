@@ -4,15 +4,13 @@ from __future__ import annotations
 from collections.abc import Callable
 from functools import partial
 from math import cos, degrees, pi, sin
-from typing import Any
 
 import numpy as np
 
-from ..answers.conditions import degrees_slip, one_of_many
+from ..answers.conditions import degrees_slip, one_of_many, one_pose
 from ..answers.judges import Judge, Slip, choices, expressions
 from ..answers.table_judge import column, table, with_columns
 from ..arms import kinematics, robots
-from ..arms.joints import joint_array
 from .asked.intelledex import PREDICTIONS
 from .views.intelledex import meeting_view, plane_view, turned_round, wrist_view, yaw_view
 
@@ -111,13 +109,6 @@ _HINTS = {
 _WRIST_HOME, _LEFT = np.array([609.6, 0.0, 373.4]), np.array([cos(pi / 4), sin(pi / 4), 0.0])
 
 
-def _six_values(answer: Any) -> np.ndarray:
-    q = joint_array(_ARM, answer)
-    if q.ndim != 1:
-        raise ValueError("Hand over six joint values in one list")
-    return q
-
-
 def _wrist_stays(q: np.ndarray) -> str:
     away = float(np.linalg.norm(kinematics.link_frames(_ARM, q)[5, :3, 3] - _WRIST_HOME))
     return f"The wrist is {away:.4g} mm away from (609.6, 0, 373.4)." if away > 0.1 else ""
@@ -160,6 +151,6 @@ JUDGES: dict[str, Judge] = {
         _CHANGES, set(range(1, 7)), _HINTS,
         praise="The wrist needs four joints, so no three joints place it."),
     "intelledex.4": one_of_many(
-        _six_values, _YAW, slips=_YAW_SLIPS,
+        one_pose(_ARM), _YAW, slips=_YAW_SLIPS,
         praise="A pitch joint has yawed the tool, and the wrist has not moved."),
 }

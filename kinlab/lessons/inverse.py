@@ -3,12 +3,12 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from math import degrees
-from typing import Any
 
 import numpy as np
 
 from ..answers.conditions import (
     degrees_slip,
+    exactly,
     meet,
     one_of_many,
     one_pose,
@@ -17,7 +17,7 @@ from ..answers.conditions import (
 )
 from ..answers.judges import Judge, choices, function
 from ..answers.matrices import BY_ENTRY
-from ..arms import inputs, kinematics, robots
+from ..arms import kinematics, robots
 from .asked.inverse import PREDICTIONS
 from .views.inverse import eight_view, leap_view, newton_view, tilt_view
 
@@ -192,8 +192,7 @@ _MOVER_HINTS = {
 POINT = np.array([1.2, 0.9])
 
 
-def _pair(answer: Any) -> np.ndarray:
-    return inputs.shaped("both", answer, (2, 2), "two rows of two joint values")
+_pair = exactly((2, 2), "two rows of two joint values")
 
 
 def _both_reach(pair: np.ndarray) -> str:
@@ -287,7 +286,7 @@ _PICK_SLIPS = [
 
 JUDGES: dict[str, Judge] = {
     "inverse.1": function(
-        _SOLVED, _NEWTON_CASES, slips=_NEWTON_SLIPS,
+        _SOLVED, _NEWTON_CASES, slips=_NEWTON_SLIPS, angles=True,
         entry=lambda index: f"theta_{index[0] + 1} (rad)",
         praise="This is the Jacobian inverse technique. Try it on other targets, and from a "
                "stretched arm."),
@@ -304,7 +303,7 @@ JUDGES: dict[str, Judge] = {
         praise=f"One point, two arms. Its distance is 1.5 m, so the elbow is bent by "
                f"{degrees(np.arccos(0.125)):.2f}° to one side or the other."),
     "inverse.5": one_of_many(
-        one_pose(_ALPHA_II, "five"), _PICK, slips=_PICK_SLIPS,
+        one_pose(_ALPHA_II), _PICK, slips=_PICK_SLIPS,
         praise="The tip is at the part, straight down, within the limits. The turn of the gripper "
                "is free, and joint 5 alone decides it."),
 }

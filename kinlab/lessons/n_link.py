@@ -397,10 +397,10 @@ JUDGES: dict[str, Judge] = {
         _SIX, strict=True, upright=True, slips=_SIX_SLIPS,
         praise="Add a cell with kl.ArmView(my_arm): it is your sketch."),
     "n_link.4": _through(lambda *angles: [euler.zyz_matrix(*angles)], function(
-        _branches, _ZYZ_CASES, slips=_ZYZ_SLIPS, entry=_zyz_entry,
+        _branches, _ZYZ_CASES, slips=_ZYZ_SLIPS, entry=_zyz_entry, angles=True,
         praise="Both branches, with the printed slip put right.")),
     "n_link.5": one_of_many(
-        one_pose(_SIX, "six"), _UP, slips=_UP_SLIPS,
+        one_pose(_SIX), _UP, slips=_UP_SLIPS,
         praise="The angles are degenerate, the wrist is bent. So the trouble lies in the three "
                "numbers, not in the arm."),
 }

@@ -87,6 +87,7 @@ JUDGES: dict[str, Judge] = {
     "rotation.1": function(
         rotation_2d, [{"theta": t} for t in (0.0, pi / 6, -2.0, 4.0)], entry=matrix_entry,
         slips=_TURN_SLIPS,
+        without="The task says without kinlab: build the matrix from np.cos and np.sin.",
         praise="Your function agrees at every angle. kinlab's own is rotation_2d."),
     "rotation.2": values(
         _R, entry=matrix_entry, slips=_READ_SLIPS,

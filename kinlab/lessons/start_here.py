@@ -7,10 +7,11 @@ from typing import Any
 
 import numpy as np
 
-from ..answers.conditions import degrees_slip, meet, one_of_many
+from ..answers.conditions import degrees_slip, exactly, meet, one_of_many
 from ..answers.judges import Judge, choices, values
 from ..answers.prediction import Asked, Choice, Direction, Mark, Number, Several
-from ..arms import inputs, kinematics, robots
+from ..answers.words import fixed
+from ..arms import kinematics, robots
 from ..arms.motions import Numbers
 from ..drawing.scene import LINE, at, circle, origin_of
 from ..drawing.sketch import Sketch
@@ -237,15 +238,14 @@ _UNIT_SLIPS = [
 # ---- Exercise 3: two ways to reach --------------------------------------------------------
 
 
-def _two_ways(answer: Any) -> np.ndarray:
-    return inputs.shaped("your answer", answer, (2, 2), "two pairs of joint values, shape (2, 2)")
+_two_ways = exactly((2, 2), "two pairs of joint values")
 
 
 def _reaches(k: int, q: np.ndarray) -> str:
     p = kinematics.forward_kinematics(_ARM, q[k])[:2, 3]
     gap = np.linalg.norm(TARGET - p)
     return "" if gap <= NEAR else (
-        f"Pair {k + 1} puts the tip at ({p[0] + 0.0:.3f}, {p[1] + 0.0:.3f}) m, {gap:.3f} m from "
+        f"Pair {k + 1} puts the tip at ({fixed(p[0])}, {fixed(p[1])}) m, {gap:.3f} m from "
         f"the target; {NEAR} m is allowed.")
 
 
@@ -267,12 +267,13 @@ JUDGES: dict[str, Judge] = {
         _QUESTIONS, {1, 2, 3, 4, 5, 6}, _QUESTION_HINTS, noun="question",
         praise="Joint values given: forward. Joint values asked for: inverse."),
     "start_here.2": values(
-        _Q, entry=lambda index: f"q[{index[0]}]", slips=_UNIT_SLIPS,
+        _Q, entry=lambda index: f"q[{index[0]}]", slips=_UNIT_SLIPS, angles=[True, False, False],
         praise="Radians for the revolute joint, metres for the two that slide."),
     "start_here.3": notation.JUDGES["notation.1"],  # under these names in copies of lesson 00
     "start_here.4": notation.JUDGES["notation.2"],  # from before lesson 03b
     "start_here.5": one_of_many(
-        _two_ways, (*_BOTH_REACH, _elbows_differ), slips=_WAY_SLIPS,
+        _two_ways, (*_BOTH_REACH, _elbows_differ), slips=_WAY_SLIPS, noun="two pairs",
+        parts=("pair 1", "pair 2"), each=_BOTH_REACH,
         praise="One position, two answers. Forward kinematics never has that trouble: each pair "
                "of joint values has one tip."),
 }

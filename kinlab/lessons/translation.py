@@ -259,7 +259,7 @@ PREDICTIONS: dict[str, Asked] = {
 # ---- Exercise 1: there and back ------------------------------------------------------
 
 _O, _C1, _D0 = np.array([[3, -1], [-2, 4], [1, 2]])
-_ROWS = ("c_0", "d_1", "o_0 as frame 1 sees it")
+_ROWS = ("c_0", "d_1", "o_10")
 
 
 def _entry(index: tuple) -> str:
@@ -321,7 +321,7 @@ _BETWEEN_SLIPS = [
 
 JUDGES: dict[str, Judge] = {
     "translation.1": values(
-        _THERE_AND_BACK, entry=_entry, slips=_SLIPS,
+        _THERE_AND_BACK, entry=_entry, slips=_SLIPS, parts=_ROWS,
         praise="Add on the way to the room, subtract on the way back."),
     "translation.2": expressions(
         ("x", "y"), _camera(1, -1, 1), _CAMERA_POINTS, constants={}, slips=_CAMERA_SLIPS,

@@ -7,9 +7,9 @@ from typing import Any
 
 import numpy as np
 
-from ..answers.conditions import degrees_slip, meet, one_of_many
+from ..answers.conditions import degrees_slip, exactly, meet, one_of_many
 from ..answers.judges import Judge, expressions, function
-from ..arms import inputs, transforms
+from ..arms import transforms
 from .asked.two_link import PREDICTIONS
 from .views.two_link import both_methods, n_links
 
@@ -124,8 +124,7 @@ _TIP_SLIPS = [
 _L1, _L2 = 2.0, 1.0
 
 
-def _two_angles(answer: Any) -> np.ndarray:
-    return inputs.shaped("q", answer, (2,), "two angles, theta_1 and theta_2")
+_two_angles = exactly((2,), "two angles, theta_1 and theta_2")
 
 
 def _points_back(q: np.ndarray) -> str:
@@ -157,9 +156,10 @@ JUDGES: dict[str, Judge] = {
         praise="The two matrices stay as they are; only the last column vector changed."),
     "two_link.3": function(
         _tip, _TIP_CASES, entry=lambda index: ("x", "y", "phi")[index[0]], slips=_TIP_SLIPS,
+        angles=[False, False, True],
         praise="It serves planar arms with any number of links."),
     "two_link.4": one_of_many(
-        _two_angles, _LEVEL, slips=_LEVEL_SLIPS,
+        _two_angles, _LEVEL, slips=_LEVEL_SLIPS, parts=("theta_1", "theta_2"),
         praise="Link 2 is level and Q lies on the axis. There is a second answer, with P on the "
                "other side of x_0."),
 }

@@ -7,7 +7,14 @@ from typing import Any
 
 import numpy as np
 
-from ..answers.conditions import degrees_slip, meet, one_of_many, one_pose, within_limits
+from ..answers.conditions import (
+    degrees_slip,
+    exactly,
+    meet,
+    one_of_many,
+    one_pose,
+    within_limits,
+)
 from ..answers.judges import Judge, function
 from ..arms import inputs, kinematics, robots
 from ..arms.joints import joint_range
@@ -66,8 +73,11 @@ _RING_SLIPS = [
 _NEAR, _FAR = 0.4, 2.2  # m
 
 
+_two_lengths = exactly((2,), "two lengths, l_1 and l_2")
+
+
 def _lengths(answer: Any) -> np.ndarray:
-    lengths = inputs.shaped("lengths", answer, (2,), "two lengths, l_1 and l_2")
+    lengths = _two_lengths(answer)
     if min(lengths) <= 0:
         raise ValueError(f"lengths: expected two lengths above 0, got {lengths.tolist()}")
     return lengths
@@ -106,8 +116,11 @@ _ASKEW = np.arctan2(L2 * np.sin(_BENDS), L1 + L2 * np.cos(_BENDS)).max()
 _NARROWEST = radians(0.1)
 
 
+_two_limits = exactly((2,), "the lowest and the highest theta_1")
+
+
 def _range(answer: Any) -> np.ndarray:
-    limits = inputs.shaped("limits", answer, (2,), "the lowest and the highest theta_1")
+    limits = _two_limits(answer)
     if limits[0] >= limits[1]:
         raise ValueError("limits: expected the lowest value before the highest, got "
                          f"{inputs.brief(limits.tolist())}")
@@ -172,7 +185,7 @@ def _close(point: np.ndarray, least: float, what: str) -> Callable[[np.ndarray],
     return condition
 
 
-_POSE = one_pose(_ARM, "five")
+_POSE = one_pose(_ARM)
 _NEAR_SHOULDER = (within_limits(_ARM), _close(_SHOULDER, _CLOSEST, "the shoulder"))
 _NEAR_TARGET = (within_limits(_ARM), _close(TARGET, _STRAIGHT, "the target"))
 

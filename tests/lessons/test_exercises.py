@@ -9,9 +9,17 @@ from hypothesis import strategies as st
 from solved import ALSO, JUDGES, RIGHT, STUBS, WRONG
 
 import kinlab as kl
+from kinlab import lessons
 from kinlab.exercises import Verdict
 
 check = kl.exercises.check
+
+
+def here(name, answer):
+    """What a check says, found in this process and not in a copy of it."""
+    return kl.exercises.judged(lessons.judges(name.partition(".")[0])[name], answer)
+
+
 t1 = sp.Symbol("theta_1")
 
 
@@ -84,7 +92,7 @@ garbage = values | st.functions(like=lambda t, d, a, al: ..., returns=values)
 @pytest.mark.parametrize("name", JUDGES)
 @given(answer=garbage)
 def test_no_answer_makes_a_check_raise(name, answer):
-    verdict = check(name, answer)
+    verdict = here(name, answer)
     assert isinstance(verdict, Verdict) and not verdict.ok
     assert verdict.message and verdict.word in repr(verdict)
 
@@ -102,7 +110,7 @@ def test_text_is_never_evaluated():
     said = []
     bomb = "__import__('sys').modules['test_exercises_bomb'] = 1"
     for name in JUDGES:
-        said += [check(name, bomb), check(name, [bomb] * 3), check(name, lambda *_: bomb)]
+        said += [here(name, bomb), here(name, [bomb] * 3), here(name, lambda *_: bomb)]
     assert not any(verdict.ok for verdict in said)
     import sys
     assert "test_exercises_bomb" not in sys.modules
@@ -132,5 +140,98 @@ def test_a_check_says_all_in_its_verdict(recwarn):
     in_degrees = lambda alpha, a, d, theta: kl.forward_kinematics(  # noqa: E731
         kl.Arm([kl.revolute(alpha=alpha * 57.3, a=a, d=d)]), [theta * 57.3])
     for name, answer in (("n_link.1", in_degrees), ("n_link.3", degrees)):
-        assert not kl.exercises.check(name, answer).ok
+        assert not here(name, answer).ok
     assert not recwarn.list
+
+
+# ---- Nothing is changed --------------------------------------------------------------------------
+
+
+def spoil(value):
+    """Write into all that can be written into."""
+    if isinstance(value, np.ndarray):
+        value *= 0
+    elif isinstance(value, list):
+        value.clear()
+
+
+def greedy(function):
+    """The same function, which spoils its arguments once it has used them."""
+    def changed(*arguments):
+        result = function(*arguments)
+        for argument in arguments:
+            spoil(argument)
+        return result
+    return changed
+
+
+FUNCTIONS = [name for name in JUDGES if callable(RIGHT[name])]
+
+
+@pytest.mark.parametrize("name", FUNCTIONS)
+def test_a_function_may_do_with_its_arguments_what_it_likes(name):
+    """It gets copies, so that its next answer is judged by the same cases."""
+    for _ in range(3):
+        assert here(name, greedy(RIGHT[name])).ok
+        assert not here(name, greedy(lambda *_: 1.0)).ok
+    assert here(name, RIGHT[name]).ok
+
+
+def test_a_loop_that_adds_to_its_own_argument_is_right_and_told_so():
+    def newton(q, target, steps):
+        arm = kl.robots.two_link()
+        for _ in range(steps):
+            e = target - kl.forward_kinematics(arm, q)[:2, 3]
+            q += np.linalg.solve(kl.jacobian(arm, q)[:2], e)
+        return q
+
+    for _ in range(5):
+        verdict = here("inverse.1", newton)
+        assert verdict.ok and verdict.message.endswith(
+            "One remark: your function changes the q that it is given. Take a copy of it first, "
+            "with np.array(...).")
+    once = here("inverse.1", lambda q, target, steps: newton(q, target, 1))
+    assert "Only one step is taken" in once.message
+
+
+def test_a_function_may_hand_out_the_same_array_again_and_again():
+    kept = np.eye(2)
+
+    def rotation(theta):
+        kept[:] = RIGHT["rotation.1"](theta)
+        return kept
+
+    assert here("rotation.1", rotation).ok
+
+
+@pytest.mark.parametrize("name", [name for name in JUDGES if not callable(RIGHT[name])])
+def test_an_answer_is_only_read(name):
+    for answer in [RIGHT[name], *(answer for other, answer, _ in WRONG if other == name)]:
+        if isinstance(answer, (list, dict, set, np.ndarray)):
+            before = repr(answer)
+            here(name, answer)
+            assert repr(answer) == before
+
+
+def test_a_function_that_keeps_something_is_told_so():
+    calls = []
+
+    def counting(theta):
+        calls.append(theta)
+        return RIGHT["rotation.1"](theta) + (len(calls) > 4)
+
+    said = {check("rotation.1", counting).message for _ in range(3)}
+    assert said == {"Called with the same numbers again, your function should give the same again. "
+                    "For theta = 0: the entry in row 1, column 1 should be 1, got 2. Does it keep "
+                    "something between two calls?"}
+    assert calls == []  # what it keeps is gone after a check
+
+
+@pytest.mark.parametrize("answer", [
+    kl.rotation_2d, lambda t: kl.rotation_2d(t), lambda t: kl.rotation_z(t)[:2, :2],
+    np.vectorize(kl.rotation_2d, signature="()->(2,2)"),
+], ids=["itself", "lambda", "another", "in numpy"])
+def test_kinlabs_own_function_is_no_answer_where_the_task_forbids_it(answer):
+    verdict = check("rotation.1", answer)
+    assert verdict.word == "Not yet" and "without kinlab" in verdict.message
+    assert "calls kinlab's own `rotation_" in verdict.message

@@ -50,7 +50,7 @@ WRONG = [
     ("homogeneous.1", lambda t, x, y: H(t, 0, 0), "translation is left out"),
     ("homogeneous.1", lambda t, x, y: H(0, x, y), "rotation is left out"),
     ("homogeneous.1", lambda t, x, y: H(t, y, x), "changed places"),
-    ("homogeneous.1", after(lambda T: T[:2]), "shape (3, 3), got (2, 3)"),
+    ("homogeneous.1", after(lambda T: T[:2]), "three rows of three numbers; your function gave"),
     ("homogeneous.1", H(1, 2, 3), "Expected a function"),
     ("homogeneous.2", [-x, -y], "This is -o"),
     ("homogeneous.2", [c * x + s * y, -s * x + c * y], "sign is missing"),

@@ -80,7 +80,7 @@ WRONG = [
     ("intelledex.4", np.radians([90, -90, 90, 0, 45, 0]), "only nod"),
     ("intelledex.4", np.radians([135, -90, 90, 0, 90, 0]), "whole arm"),
     ("intelledex.4", np.radians([90, 0, 60, 0, 45, 0]), "mm away"),
-    ("intelledex.4", [0, 0, 0], "expected shape (..., 6)"),
+    ("intelledex.4", [0, 0, 0], "expected six joint values; you gave three"),
 ]
 
 STUBS = [("intelledex.1", ...), ("intelledex.2", [..., ..., ...]), ("intelledex.3", ...),

@@ -51,7 +51,7 @@ WRONG = [
     ("inverse.1", loop(lambda J, e: np.degrees(np.linalg.solve(J, e))), "degrees"),
     ("inverse.1", lambda q, target, steps: newton(q, target, steps) - q, "sum of the steps"),
     ("inverse.1", lambda q, target: q, "raised TypeError"),
-    ("inverse.1", lambda q, target, steps: q[:1], "shape (2,)"),
+    ("inverse.1", lambda q, target, steps: q[:1], "expected two numbers; your function gave"),
     ("inverse.2", lambda J, e, damping: damped(J, e, damping**0.5), "square"),
     ("inverse.2", lambda J, e, damping: np.linalg.pinv(J) @ e, "pseudoinverse"),
     ("inverse.2", lambda J, e, damping: J.T @ e, "bracket is missing"),

@@ -118,7 +118,7 @@ WRONG = [
     ("n_link.1", with_entry(2, 2, lambda al, d, t: cos(t)), "not of theta"),
     ("n_link.1", lambda al, a, d, t: link_matrix(al, a, 0, t) + d * np.eye(4)[[2]].T
      @ np.eye(4)[[3]], "rows 2 and 3"),
-    ("n_link.1", turned(lambda T: T[:3]), "shape (4, 4), got (3, 4)"),
+    ("n_link.1", turned(lambda T: T[:3]), "four rows of four numbers; your function gave three"),
     ("n_link.1", np.eye(4), "Expected a function"),
     ("n_link.2", lambda table, tool: forward(table, [0, 0, 0]), "tool vector is forgotten"),
     ("n_link.2", lambda table, tool: (forward(table, tool)[0],
@@ -157,15 +157,15 @@ WRONG = [
     ("n_link.4", lambda R: zyz(R)[::-1], "comes first"),
     ("n_link.4", lambda R: zyz(R.T), "transpose"),
     ("n_link.4", lambda R: np.array(zyz(R))[:, ::-1], "phi and psi have changed places"),
-    ("n_link.4", lambda R: zyz(R)[0], "shape (2, 3), got (3,)"),
+    ("n_link.4", lambda R: zyz(R)[0], "two rows of three numbers; your function gave three"),
     ("n_link.5", [0, 90, -50, 0, -40, 0], "np.radians"),
     ("n_link.5", np.radians([0, 90, -50, 0, 40, 0]), "sign of theta_5"),
     ("n_link.5", np.radians([0, 90, 50, 0, 40, 0]), "straight down"),
     ("n_link.5", np.radians([0, 90, -90, 0, 0, 0]), "lean the forearm"),
     ("n_link.5", np.radians([0, 90, -80, 0, -10, 0]), "bends the wrist by 10"),
     ("n_link.5", np.radians([0, 90, -50, 0, -60, 0]), "20° away"),
-    ("n_link.5", [0, pi, 0], "expected shape (..., 6)"),
-    ("n_link.5", [[0] * 6], "six joint values"),
+    ("n_link.5", [0, pi, 0], "expected six joint values; you gave three"),
+    ("n_link.5", [[0] * 6] * 2, "six joint values; you gave two rows"),
 ]
 
 STUBS = [("n_link.1", ...), ("n_link.1", lambda alpha, a, d, theta: ...),

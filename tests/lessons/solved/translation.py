@@ -21,8 +21,8 @@ WRONG = [
     ("translation.1", [[1, 3], [-2, 3], [0, 0]], "its own origin at (0, 0)"),
     ("translation.1", [[3, 1], [3, -2], [1, -3]], "x and y have changed places"),
     ("translation.1", [[1, 3], [-2, 4], [-3, 1]], "the y of d_1 is not 4"),
-    ("translation.1", [[1, 3], [-2, 3], 0], "shape (3, 2)"),
-    ("translation.1", [[1, 3], [-2, 3], ...], "shape (3, 2)"),
+    ("translation.1", [[1, 3], [-2, 3], 0], "o_10: expected two numbers; you gave one number"),
+    ("translation.1", [[1, 3], [-2, 3], ...], "c_0 and d_1 are right; o_10 is still to do."),
     ("translation.2", K + P, "where the room sees the part"),
     ("translation.2", K + B + P, "subtracted, not added"),
     ("translation.2", P - K - B, "you subtracted both"),
@@ -40,7 +40,7 @@ WRONG = [
     ("translation.3", [-2, 1], "half the way from c to d"),
     ("translation.3", [0, 0], "opposite directions"),
     ("translation.3", [1, 3], "the y of o_1 is not 3"),
-    ("translation.3", [1, 2, 0], "shape (2,), got (3,)"),
+    ("translation.3", [1, 2, 0], "expected two numbers; you gave three numbers"),
 ]
 
 STUBS = [("translation.1", [..., ..., ...]), ("translation.2", [..., ...]),

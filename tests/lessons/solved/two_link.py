@@ -63,7 +63,7 @@ WRONG = [
     ("two_link.1", after(np.transpose), "as rows"),
     ("two_link.1", lambda a, b, p, q: positions(a, b, q, p), "l_1 and l_2"),
     ("two_link.1", lambda a, b, p, q: positions(a, -b, p, q), "sign of theta_2"),
-    ("two_link.1", after(lambda PQ: PQ[1]), "shape (2, 2), got (2,)"),
+    ("two_link.1", after(lambda PQ: PQ[1]), "two rows of two numbers; your function gave two"),
     ("two_link.1", after(lambda PQ: PQ + 0.1), "P_x should be 2, got 2.1"),
     ("two_link.2", [Q_X, Q_Y], "step h is forgotten"),
     ("two_link.2", [Q_X, Q_Y + h], "not along y_0"),

@@ -53,7 +53,7 @@ WRONG = [
     ("workspace.4", np.radians([0, 0, 135, 112.5, 0]), "straight at theta_4 = -90"),
     ("workspace.4", np.radians([0, 0, 120, 30, 0]), "as far as its limit lets it"),
     ("workspace.4", np.radians([0, 0, 137.3, 21, 0]), "beyond its limits"),
-    ("workspace.4", np.radians([0, 0, 135, 22.5]), "expected shape (..., 5)"),
+    ("workspace.4", np.radians([0, 0, 135, 22.5]), "expected five joint values; you gave four"),
     ("workspace.5", np.degrees([0, -0.44, 0, -pi / 2, 0]), "np.radians"),
     ("workspace.5", [0, np.arctan2(285, 600), 0, -pi / 2, 0], "positive angles lower the arm"),
     ("workspace.5", [0, -np.arctan2(500, 600), 0, -pi / 2, 0], "see it from the shoulder"),
