@@ -272,7 +272,7 @@ JUDGES: dict[str, Judge] = {
     "start_here.3": notation.JUDGES["notation.1"],  # under these names in copies of lesson 00
     "start_here.4": notation.JUDGES["notation.2"],  # from before lesson 03b
     "start_here.5": one_of_many(
-        _two_ways, (*_BOTH_REACH, _elbows_differ), slips=_WAY_SLIPS, noun="two pairs",
+        _two_ways, (*_BOTH_REACH, _elbows_differ), slips=_WAY_SLIPS,
         parts=("pair 1", "pair 2"), each=_BOTH_REACH,
         praise="One position, two answers. Forward kinematics never has that trouble: each pair "
                "of joint values has one tip."),
