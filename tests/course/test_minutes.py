@@ -1,9 +1,35 @@
 """The time that a notebook states is the time that it takes."""
+import re
+from pathlib import Path
+
 import nbformat
 import pytest
 from nbformat.v4 import new_code_cell, new_markdown_cell, new_notebook
 
 from kinlab.course import minutes, site
+from kinlab.course.notebooks import FOLDER
+
+LESSONS = sorted(FOLDER.glob("*.ipynb"))
+TESTS = sorted((FOLDER / "tests").glob("*.ipynb"))
+each = {"ids": lambda path: path.stem}
+
+
+@pytest.mark.parametrize("path", [*LESSONS, *TESTS], **each)
+def test_a_notebook_states_its_honest_time_in_parts_of_a_class_hour(path):
+    assert list(minutes.faults(nbformat.read(path, as_version=4))) == []
+
+
+@pytest.mark.parametrize("path", LESSONS, **each)
+def test_the_lists_of_lessons_say_the_same_time_and_title(path):
+    notebook = nbformat.read(path, as_version=4)
+    total, parts = minutes.opening(notebook)
+    title = re.search("^# (.+)$", notebook.cells[0].source, re.MULTILINE)[1]
+    for text, folder in (("\n".join(cell.source for cell in nbformat.read(
+            LESSONS[0], as_version=4).cells), ""),
+            (Path(FOLDER.parent / "README.md").read_text(encoding="utf-8"), "notebooks/")):
+        (row,) = re.findall(rf"^\| (?:\[[^]]+\]\({folder}{path.name}\)|00 Start here) "
+                            rf"\| {re.escape(title)} \| (\d+) \| (\d+) \|$", text, re.MULTILINE)
+        assert tuple(map(int, row)) == (total, parts)
 
 
 def prose(count):
