@@ -6,8 +6,6 @@ from functools import partial
 from ...answers.prediction import Asked, Choice, Direction, Mark, Several
 from ..views.two_link import both_methods, n_links
 
-_STRAIGHT = {"theta_1": 0, "theta_2": 0}
-
 # ---- Where Q is, and which way link 2 points ----------------------------------------------
 
 
@@ -16,9 +14,9 @@ def _signed(degrees: float) -> str:
 
 
 def _tip(theta_1: float, theta_2: float, why: str, *slips: tuple) -> Mark:
-    return Mark(ask="The arm lies along x₀, with l₁ = 2 and l₂ = 1.5. "
+    return Mark(ask="The links have the lengths l₁ = 2 and l₂ = 1.5. "
                     f"θ₁ goes to {_signed(theta_1)}, θ₂ to {_signed(theta_2)}. Where will Q be?",
-                why=why, start=_STRAIGHT, shows={"theta_1": theta_1, "theta_2": theta_2},
+                why=why, shows={"theta_1": theta_1, "theta_2": theta_2},
                 of="point-Q", tolerance=0.2, slips=slips)
 
 
@@ -88,7 +86,7 @@ def _second(theta_1: float, theta_2: float, why: str, *slips: tuple) -> Directio
     return Direction(
         ask="The upper left block of H₂⁰ holds x₂ and y₂, seen from frame 0. θ₁ goes to "
             f"{_signed(theta_1)}, θ₂ to {_signed(theta_2)}. Which way will y₂ point?",
-        why=why, start=_STRAIGHT, shows={"theta_1": theta_1, "theta_2": theta_2}, of="frame-2-y",
+        why=why, shows={"theta_1": theta_1, "theta_2": theta_2}, of="frame-2-y",
         begin=-45.0, slips=slips)
 
 
@@ -101,18 +99,18 @@ _SECOND = [
             (60, "That is a turn by θ₂ alone."), (30, "That is a turn by θ₁ alone.")),
 ]
 _MIDDLE = [
-    Mark(ask="The arm lies along x₀, with l₁ = 2 and l₂ = 1.5. M is the middle of link 2. θ₂ goes "
-             "to 90°. Where will M be?",
+    Mark(ask="Link 1 lies along x₀; l₁ = 2 and l₂ = 1.5. M is the middle of link 2. θ₂ goes from "
+             "25° to 90°. Where will M be?",
          why="M² = (0.75, 0) never changes. H₂⁰ turns it by 90° and adds P: M⁰ = (2, 0.75).",
-         start=_STRAIGHT, shows={"theta_2": 90}, of="point-M", tolerance=0.15,
+         start={"theta_1": 0, "theta_2": 25}, shows={"theta_2": 90}, of="point-M", tolerance=0.15,
          slips=[((2, 1.5, 0), "That is Q."), ((0.75, 2, 0), "P = (2, 0) has been turned as well, "
                                                             "but it stands before joint 2."),
                 ((2, -0.75, 0), "That is θ₂ = −90°, clockwise.")]),
-    Mark(ask="The arm lies along x₀, with l₁ = 2 and l₂ = 1.5. M is the middle of link 2. θ₁ goes "
-             "to 90°. Where will M be?",
+    Mark(ask="The arm is straight, with l₁ = 2 and l₂ = 1.5. M is the middle of link 2. θ₁ goes "
+             "from 30° to 90°. Where will M be?",
          why="Joint 1 turns all that comes after it. M is 2.75 from O, now straight up: "
              "M⁰ = (0, 2.75).",
-         start=_STRAIGHT, shows={"theta_1": 90}, of="point-M", tolerance=0.15,
+         start={"theta_1": 30, "theta_2": 0}, shows={"theta_1": 90}, of="point-M", tolerance=0.15,
          slips=[((0, 3.5, 0), "That is Q."), ((2, 0.75, 0), "That turns joint 2, not joint 1."),
                 ((0.75, 2, 0), "Link 2 rides on link 1, so it turns as well.")]),
 ]
