@@ -27,9 +27,10 @@ from ..answers.matrices import (
 from ..arms import kinematics, robots
 from .asked.alpha_ii import PREDICTIONS
 from .views.four_motions import four_motions
+from .views.reach import level_view
 from .views.reach import reach_view as workspace_view
 
-__all__ = ["JUDGES", "PREDICTIONS", "four_motions", "workspace_view"]
+__all__ = ["JUDGES", "PREDICTIONS", "four_motions", "level_view", "workspace_view"]
 
 # ---- Exercise 1: the link transform -------------------------------------------------
 

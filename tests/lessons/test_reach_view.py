@@ -5,8 +5,9 @@ import numpy as np
 import pytest
 
 import kinlab as kl
-from kinlab.drawing.cloud import unpacked
+from kinlab.drawing.cloud import layers, unpacked
 from kinlab.drawing.curves import corners, is_there
+from kinlab.lessons.alpha_ii import level_view
 from kinlab.lessons.workspace import reach_view
 
 close = np.testing.assert_allclose
@@ -90,3 +91,60 @@ def test_a_hand_turns_the_slice_by_its_rim(view):
     assert [view._scene.knobs[knob].name for knob in handle.knobs] == ["slice"]
     tip = kl.forward_kinematics(kl.robots.alpha_ii(), np.radians([0, -45, 0, -90, 0]))[:3, 3]
     close(handle.point[1:], tip, atol=1e-9)
+
+
+# ---- The level plane ----
+
+
+@pytest.fixture(scope="module")
+def level():
+    return level_view()
+
+
+@pytest.mark.parametrize("height", [0, 100, 215, 450, 650])
+@pytest.mark.parametrize("name, side", [("forwards", 0), ("backwards", 180)])
+def test_the_edge_at_a_height_is_reached_and_nothing_beyond_it(level, height, name, side):
+    """By the solver, where joint 1 has one value only: within 30° of its middle."""
+    level.height = height
+    outline = level_corners(level, name)
+    close(outline[:, 2], height, atol=1e-9)
+    across = np.radians(side + np.array([-25, 0, 25]))
+    radius = np.linalg.norm(outline[:, :2], axis=1).max()
+    for aside, reached in ((-3.0, True), (3.0, False)):
+        u = radius + aside
+        places = np.stack([u * np.cos(across), u * np.sin(across), 0 * across + height], axis=-1)
+        found = kl.inverse_kinematics_batch(kl.robots.alpha_ii(), places).success
+        assert np.all(found == reached), (height, aside)
+
+
+def level_corners(level, name):
+    (item,) = (item for item in level._scene.items if item.gid == name)
+    scene = level._scene
+    return corners(item, scene.motions, scene.frames(level._values), level._values)
+
+
+def test_the_two_ways_fill_what_joint_1_turns_through(level):
+    level.height = 100
+    for name, middle in (("forwards", 0), ("backwards", 180)):
+        x, y, _ = level_corners(level, name).T
+        far = np.hypot(x, y) > 100
+        turned = (np.degrees(np.arctan2(y, x))[far] - middle + 180) % 360 - 180
+        close([turned.min(), turned.max()], [-150, 150], atol=0.1)
+
+
+def test_what_is_above_the_level_plane_is_cut_away(level):
+    (item,) = (item for item in level._scene.items if item.part == "cloud")
+    level.height = 300
+    plane = level._scene.frames(level._values)[int(item.size[0])]
+    dots = unpacked(item.points[0], item.text, item.size[1])
+    kept = layers(dots, plane, np.array([0, 0, 1.0]), np.zeros(3), 1000.0)
+    assert 0 < sum(map(len, kept)) < len(dots)
+    assert max(layer[:, 2].max() for layer in kept if len(layer)) <= 300
+
+
+def test_a_hand_slides_the_level_plane(level):
+    (handle,) = (handle for handle in level._scene.handles if handle.name == "height")
+    assert [level._scene.knobs[knob].name for knob in handle.knobs] == ["height"]
+    level.height = 215
+    x, y, z = level._scene.frames(level._values)[handle.point[0]][:3, 3]
+    close([np.hypot(x, y), z], [485.1, 215], atol=0.2)
