@@ -215,8 +215,10 @@ class Prediction {
   tell(one, answer) {
     const { ok, said } = verdict(one, answer);
     this.form?.fill(answer);
-    this.said?.replaceChildren(make("p", { class: ok ? "kl-right" : "kl-missed" },
-      make("span", { class: "kl-sign", "aria-hidden": "true" }, ok ? "✓ " : "✗ "), said),
+    const [look, sign] = ok ? ["kl-right", "✓ "]
+      : answer == null ? ["", ""] : ["kl-missed", "✗ "];
+    this.said?.replaceChildren(make("p", { class: look },
+      make("span", { class: "kl-sign", "aria-hidden": "true" }, sign), said),
       make("p", {}, one.why));
   }
 
@@ -237,8 +239,8 @@ class Prediction {
     const { record, case: now } = this.sheet.read();
     const lines = record.filter((one) => one.case !== now).map(({ case: k, answer }) => {
       const one = this.question.cases[k], { ok, said } = verdict(one, answer);
-      return make("li", {}, make("p", {}, one.ask),
-        make("p", {}, `${ok ? "✓" : "✗"} You: ${answerWords(one, answer)}. ${said} ${one.why}`));
+      const given = answer == null ? "" : `${ok ? "✓" : "✗"} You: ${answerWords(one, answer)}. `;
+      return make("li", {}, make("p", {}, one.ask), make("p", {}, `${given}${said} ${one.why}`));
     });
     return make("details", { class: "kl-past" }, make("summary", {}, "Looking back"),
                 make("ul", {}, ...lines));

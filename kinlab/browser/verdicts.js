@@ -119,7 +119,6 @@ const FROM = { x: "y", y: "z", z: "x" };             // whence turns about an ax
  * @type {(one: Asked, answer: any) => string}
  */
 export function answerWords(one, answer) {
-  if (answer == null) return "no guess";
   if (one.kind === "number") return `${brief(answer)}${behind(one.unit)}`;
   if (one.kind === "direction") return `${brief(answer)}° from ${
     FROM[one.about]} about ${one.about}`;
