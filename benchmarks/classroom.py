@@ -38,7 +38,7 @@ CONFIG = ROOT / "deploy" / "jupyterhub_config.py"
 ALONE, DRAG_SECONDS, ROUNDS = 3, 2.0, 5  # students who drag alone; then all drag, with pauses
 REST = 25  # seconds until the drawing processes have ended: kinlab/drawing/worker.py, IDLE
 GOAL_MB, GOAL_RATIO = 30, 10
-VIEWS = re.compile(r"\b(ArmView|view|bend|roll|touch)\b")
+VIEWS = re.compile(r"\b(ArmView|predict|\w*_view)\b")
 
 
 @dataclass

@@ -42,7 +42,6 @@ VIEWS = {robot.__name__: lambda robot=robot: kl.ArmView(
     "uvw": LESSONS.intelledex.plane_view,
     "wrist": LESSONS.intelledex.wrist_view,
     "meeting": LESSONS.intelledex.meeting_view,
-    "level": LESSONS.alpha_ii.level_view,
     "yaw": LESSONS.intelledex.yaw_view,
     "ring": LESSONS.workspace.ring_view,
     "dexterous": LESSONS.workspace.dexterous_view,
