@@ -126,7 +126,7 @@ def followed(answer, right, reference, *, strict=False):
     """
     walk, named = Walk(), set()
     while walk.steps < MOST_STEPS:
-        verdict = kl.same_mechanism(answer, reference, strict=strict)
+        verdict = kl.same_mechanism(answer, reference, strict=strict, tip=False)
         if verdict.ok:
             walk.ended = True
             return walk

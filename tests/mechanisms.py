@@ -189,7 +189,7 @@ def repair_works(answer, reference, message):
     value = float(found[3].rstrip(".")) * (pi / 180 if found[4] else 1)
     row = int(found[1]) - 1
     mended = changed(answer, row, found[2], value - getattr(answer.links[row], found[2]))
-    verdict = kl.same_mechanism(mended, reference)
+    verdict = kl.same_mechanism(mended, reference, tip=False)
     return verdict.ok or ("should be" in verdict.message and close(verdict.message))
 
 

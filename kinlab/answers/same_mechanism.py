@@ -3,6 +3,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import replace
+from functools import partial
 from math import degrees, sin
 
 import numpy as np
@@ -23,15 +24,18 @@ from .mechanism import (
 )
 from .nearest_table import hidden_cells, nearest_table, with_rows
 from .refusal import Wrong, axis_name, other_joints, refusal
+from .tip import tip_elsewhere
 from .verdict import CORRECT, Fault, Verdict
 from .zero_pose import stand_alike
 
 
-def same_mechanism(answer: Arm, reference: Arm, *, strict: bool = False) -> Verdict:
+def same_mechanism(answer: Arm, reference: Arm, *, strict: bool = False,
+                   tip: bool = True) -> Verdict:
     """Whether two arms are the same mechanism, whatever frames were chosen.
 
-    They are when a rigid placement of the base, a sign and an offset for each joint, and a tool
-    transform make them move alike for all q. The conventions may differ. Angles count as equal
+    They are when a rigid placement of the base, and a sign and an offset for each joint, make
+    their tips move alike for all q; how the tool frame is turned is free. The conventions may
+    differ. Angles count as equal
     within 5e-7 rad (pi/2 may be typed as 1.570796) and lengths within 5e-7 of themselves. The
     unit names of the arms are not compared: both must use the same unit.
 
@@ -42,6 +46,9 @@ def same_mechanism(answer: Arm, reference: Arm, *, strict: bool = False) -> Verd
         Also ask that both stand alike at q = 0 and carry the same tool frame. Then no offset and
         no tool transform is free: forward_kinematics(answer, s * q) equals, after one placement
         of the base, forward_kinematics(reference, q) for some signs s and all q.
+    tip : bool
+        Whether the tip counts. If not, two arms with the same joint axes are the same mechanism,
+        wherever their tools are.
 
     Returns
     -------
@@ -80,7 +87,9 @@ def same_mechanism(answer: Arm, reference: Arm, *, strict: bool = False) -> Verd
     mine = axes_of(answer)
     signs = fitting(mine, layout)
     if len(signs) and not (strict and not stand_alike(mine, theirs)):
-        return Verdict(CORRECT, _praise(mine, theirs, answer, reference,
+        elsewhere = tip and not strict and tip_elsewhere(
+            answer, reference, partial(same_mechanism, tip=False))
+        return elsewhere or Verdict(CORRECT, _praise(mine, theirs, answer, reference,
                                         _plainest(mine, theirs, signs)))
     return _refused(answer, reference, strict, len(signs) > 0, right)
 
@@ -92,7 +101,7 @@ def _refused(answer: Arm, reference: Arm, strict: bool, mechanism: bool,
         return _without_fixed_rows(answer, reference, strict, mechanism, right)
     nearest = nearest_table(answer, reference, strict, right)
     if not nearest.cells and right(plain := with_rows(answer, nearest.held)):
-        return same_mechanism(plain, reference, strict=strict)
+        return same_mechanism(plain, reference, strict=strict, tip=False)
     if not nearest.cells and not mechanism:
         nearest = nearest._replace(cells=hidden_cells(answer, nearest, right))
     return refusal(Wrong(answer, reference, nearest, mechanism, first), right)

@@ -1,25 +1,22 @@
 """Judges of DH tables by what the arm does: every valid choice of frames is right.
 
-Where a lesson says where the arm stands and where its tip is, both ends count as well. A joint
-added at each end pins them, wherever frame 0 and the last frame were put:
-
-* at the tip, across the last axis as far away as the tip is (or along it, if the last joint
-  slides), so that the last row has to lead to the tip;
-* at the floor, across the first axis, so that the first row has to hold the height above it.
+The tip counts, and where a lesson says where the arm stands, the floor does as well. A joint added
+there pins it, wherever frame 0 was put: across the first axis, as high as the room's origin, so
+that the first row has to hold the height above it.
 """
 from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
 from functools import partial
-from math import atan2, hypot, pi
+from math import pi
 from typing import Any
 
 import numpy as np
 
-from ..arms.arm import Arm, to_modified, to_standard
+from ..arms.arm import Arm, to_standard
 from ..arms.kinematics import forward_kinematics
-from ..arms.link import REVOLUTE, revolute, with_numbers
+from ..arms.link import revolute, with_numbers
 from ..arms.motions import Numbers
 from .fixed_rows import without_ends
 from .judges import Judge, first_of, is_stub
@@ -37,7 +34,7 @@ def table(reference: Arm, *, ends: bool = False, strict: bool = False, upright: 
     ----------
     reference : Arm
     ends : bool
-        Also ask for the floor, on which frame 0 stands, and for the tip.
+        Also ask for the floor, on which frame 0 stands.
     strict : bool
         As in `same_mechanism`: also ask for the zero position and the tool frame.
     upright : bool
@@ -149,14 +146,8 @@ def _compared(answer: Arm, reference: Arm, ends: bool, strict: bool) -> Verdict:
 
 
 def _ends(answer: Arm, reference: Arm, first: int) -> Verdict | None:
-    """What is wrong with tip or floor; `first` rows of the student's table stand before these."""
-    tip = same_mechanism(_with_tip(answer), _with_tip(reference))
-    with_tool = bool(answer.tool[:3, 3].any())
-    if tip.fault and tip.fault.row + with_tool > len(answer.links):
-        return Verdict(NOT_YET, "The arm is right, but its tip is not: check the tool.")
-    if not tip.ok:
-        return replace(tip, fault=tip.fault and replace(tip.fault, row=tip.fault.row + first))
-    floor = same_mechanism(_on_floor(answer), _on_floor(reference))
+    """What is wrong with the floor; `first` rows of the student's table stand before these."""
+    floor = same_mechanism(_on_floor(answer), _on_floor(reference), tip=False)
     return None if floor.ok else _off_floor(answer, floor, first + 1)
 
 
@@ -169,20 +160,6 @@ def _off_floor(answer: Arm, floor: Verdict, row: int) -> Verdict:
         fault, should = Fault(row, "d", d, expected), f"; it should be {expected:.6g}"
     return Verdict(NOT_YET, f"Joint 1: the offset d{row} is {d:g}{should}. With frame 0 on the "
                             "floor it holds the height of the column.", fault)
-
-
-def _with_tip(arm: Arm) -> Arm:
-    """The arm with a joint at its tip, whose axis lies alike for all choices of the last frame."""
-    *links, last = to_standard(arm).links
-    tool = to_standard(arm).tool
-    end = replace(last, alpha=pi / 2 if last.kind == REVOLUTE else 0)
-    if tool[:3, 3].any():
-        x, y, d = forward_kinematics(Arm([last], tool=tool), [0])[:3, 3]
-        a = hypot(x, y)
-        theta, a = (atan2(y, x), a) if a > 1e-9 * (a + abs(d)) else (last.theta, 0)
-        end = replace(end, theta=theta, d=d, a=a)
-    longer = Arm([*links, end, revolute()], base=to_standard(arm).base)
-    return to_modified(longer) if arm.convention == "modified" else longer
 
 
 def _on_floor(arm: Arm) -> Arm:

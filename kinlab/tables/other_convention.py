@@ -47,7 +47,7 @@ def other_reading(arm: Arm, q: np.ndarray) -> OtherReading:
     other, = set(CONVENTIONS) - {arm.convention}
     numbers = replace(arm, convention=other)
     converted = (to_modified if other == "modified" else to_standard)(arm)
-    same = same_mechanism(numbers, arm).ok
+    same = same_mechanism(numbers, arm, tip=False).ok
     return OtherReading(numbers, converted, same, _moved(arm, numbers, q))
 
 

@@ -64,7 +64,9 @@ def test_the_cylindrical_arm_of_the_lecture_and_of_textbooks():
 
 
 def test_the_stanford_arm_in_both_conventions():
-    accepted(STANFORD_MODIFIED, STANFORD, "modified DH instead of standard", "another tool frame")
+    accepted(STANFORD_MODIFIED, STANFORD, "modified DH instead of standard", "another tool frame",
+             tip=False)
+    refused(STANFORD_MODIFIED, STANFORD, "Joint 6: the offset d6 is 0; it should be 0.25.")
     refused(row(STANFORD_MODIFIED, 2, d=0.16), STANFORD, "Joint 2: the offset d2 is 0.16",
             "should be 0.15")
     refused(row(STANFORD_MODIFIED, 3, theta=RIGHT, alpha=0), STANFORD, "Joint 3",
@@ -128,7 +130,8 @@ def test_what_was_chosen_differently():
              "other way: your q5 turns backwards.")
     accepted(row(arm, 2, theta=RIGHT), arm, "q2 counts from a zero 90° away")
     accepted(row(arm, 1, d=1), arm, "another base frame")
-    accepted(row(arm, 4, d=3), arm, "another tool frame")
+    accepted(row(arm, 4, d=3), arm, "another tool frame", tip=False)
+    accepted(row(arm, 4, alpha=1), arm, "another tool frame")
     accepted(row(row(ALPHA_II, 2, d=5), 4, d=-5), ALPHA_II, "the origin on z1 slid along it")
     accepted(row(ALPHA_II, 3, theta=1), ALPHA_II, "where some q count from")
 
@@ -150,7 +153,7 @@ def test_the_strict_mode_asks_for_the_zero_position():
 def test_the_strict_mode_asks_for_the_tool():
     for other in (row(ALPHA_II, 5, d=100), row(ALPHA_II, 5, a=1), row(ALPHA_II, 5, alpha=1),
                   replace(ALPHA_II, tool=kl.translation([1, 0, 0]))):
-        accepted(other, ALPHA_II, "another tool frame")
+        accepted(other, ALPHA_II, "another tool frame", tip=False)
         refused(other, ALPHA_II, "the tool frame sits elsewhere on the last link", strict=True)
 
 
@@ -208,7 +211,7 @@ def test_every_change_that_alters_the_mechanism_is_refused_by_name():
         answer = kl.to_modified(answer) if turn % 4 == 0 else answer
         index, parameter, change = m.random_change(rng, answer)
         wrong = m.changed(answer, index, parameter, change)
-        verdict = kl.same_mechanism(wrong, arm)
+        verdict = kl.same_mechanism(wrong, arm, tip=False)
         alters = m.alters(answer, index, parameter, change, rng)
         assert alters is None or verdict.ok != alters, (turn, verdict)
         if not verdict.ok:
@@ -230,7 +233,7 @@ def test_a_search_for_base_tool_and_offsets_agrees(seed):
     answer = m.changed(m.reassigned(arm, rng)[0], index, parameter, pi / 2)
     found = any(m.fits(answer, arm, np.array(signs), rng, starts=3, steps=20)
                 for signs in product([1, -1], repeat=arm.n))
-    assert kl.same_mechanism(answer, arm).ok == found
+    assert kl.same_mechanism(answer, arm, tip=False).ok == found
 
 
 @pytest.mark.parametrize("n", [8, 10, 12, 16])
@@ -274,3 +277,55 @@ def test_an_angle_counts_where_the_frame_of_a_slide_stands_aside():
     verdict = kl.same_mechanism(row(aside, 2, theta=pi + 1e-4), reference)
     assert (verdict.ok, verdict.fault.row, verdict.fault.column) == (False, 2, "theta")
     assert verdict.fault.expected == pytest.approx(pi)
+
+
+# ---- The tip -------------------------------------------------------------------------------------
+
+
+def tip_of(arm, q=None):
+    return kl.forward_kinematics(arm, arm.home if q is None else q)[:3, 3]
+
+
+@pytest.mark.parametrize("typed, far", [(0, 0.2), (-0.2, 0.4), (0.3, 0.1)])
+@pytest.mark.parametrize("convert", [lambda arm: arm, kl.to_modified])
+def test_a_link_offset_before_a_slide_moves_the_tip(typed, far, convert):
+    """The axes are alike: a slide has no place. With q = (0, 0, 0.4) the tip tells."""
+    wrong = row(EXAM, 2, d=typed)
+    assert np.linalg.norm(tip_of(wrong, [0, 0, 0.4]) - [0.4, -0.2, 0.9]) == pytest.approx(far)
+    sign = ": its sign is wrong" if typed < 0 else ""
+    verdict = kl.same_mechanism(convert(wrong), EXAM)
+    assert repr(verdict) == (
+        f"✗ Not yet. Joint 2: the offset d2 is {typed:g}; it should be 0.2{sign}. The joint axes are "
+        f"alike, but the tip is {far:g} m away from where it should be.")
+    assert (verdict.fault.row, verdict.fault.column, verdict.fault.expected) == (2, "d", 0.2)
+
+
+@pytest.mark.parametrize("arm, number, typed, far", [
+    (ALPHA_II, 5, {"d": 0}, "129.5 mm"), (ALPHA_II, 5, {"d": 100}, "29.5 mm"),
+    (robots.intelledex_660t(), 6, {"d": 200}, "28.6 mm"), (robots.two_link(), 2, {"a": 0.5}, None)])
+def test_a_tool_of_another_length_is_not_correct(arm, number, typed, far):
+    message = refused(row(arm, number, **typed), arm)
+    assert far is None or f"Joint {number}: " in message and f"the tip is {far} away" in message
+
+
+def test_a_tool_that_is_elsewhere_is_not_correct():
+    aside = replace(ALPHA_II, tool=kl.translation([3, 4, 0]))
+    assert refused(aside, ALPHA_II) == (
+        "The arm is right, but its tip is not: check the tool. The joint axes are alike, but the "
+        "tip is 5 mm away from where it should be.")
+    turned = replace(ALPHA_II, tool=kl.homogeneous(kl.rotation_z(1.0), [0, 0, 0]))
+    accepted(turned, ALPHA_II, "another tool frame")
+
+
+def test_where_a_slide_counts_from_and_where_its_frame_sits_stays_free():
+    arm = robots.cylindrical()
+    accepted(row(arm, 3, d=0.2), arm)
+    accepted(row(row(EXAM, 2, a=0), 3, theta=0, a=0.4), EXAM)  # the slide's frame sits at d2
+
+
+def test_a_slide_that_runs_backwards_is_a_choice_that_angles_show():
+    """With z2 of the exam's arm turned round, row 2 turns the other way about x2."""
+    own = row(row(EXAM, 2, alpha=-RIGHT), 3, theta=RIGHT)
+    q = np.array([0.3, -0.4, 0.5])
+    assert np.allclose(tip_of(own, q * [1, 1, -1]), tip_of(EXAM, q))
+    accepted(own, EXAM, "your q3 slides backwards")
