@@ -131,8 +131,8 @@ _FIRST = Choice(
 
 _FAST = Choice(
     ask="Newton goes on, step by step. How will the error fall once the tool is near its goal?",
-    why="0.63, 0.22, 0.02, 0.0002, 0.00000002 m: close to the target each error is about the square "
-        "of the one before, so the number of right digits doubles.",
+    why="0.63, 0.22, 0.02, 0.0002, 0.00000002 m: close to the target each error is about the "
+        "square of the one before, so the number of right digits doubles.",
     options={"by the same factor each time": "The nearer the tool, the better the linear guess.",
              "it falls faster and faster": "",
              "it falls more and more slowly": "The guess gets better, not worse."},

@@ -72,7 +72,8 @@ PREDICTED = {
     "inverse.first_step": [Held("about 0.2 m", [("0, it arrives", "straight line"),
                                                 ("about 0.6 m, hardly nearer", "well bent")])],
     "inverse.fast": [Held("it falls faster and faster", [
-        ("by the same factor each time", "better"), ("it falls more and more slowly", "not worse")])],
+        ("by the same factor each time", "better"),
+        ("it falls more and more slowly", "not worse")])],
     "inverse.leap": [Held("by several whole turns", [("by less than 90°", "large turns"),
                                                      ("by about half a turn", "does not know")])],
     "inverse.stretched": [Held("there is none", [("even larger", "nothing to divide by"),
