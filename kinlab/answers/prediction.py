@@ -261,6 +261,8 @@ class Mark(Case):
         The thing: the name (`gid`) of an item of the scene, whose first point is meant, or "tip".
     tolerance : float
         How far off still counts, in the view's unit.
+    unit : str
+        That of the view's table, if left out.
     axes : str
         The coordinates of the room in which a hand moves the mark, such as "xy"; the others are
         those of the right place.

@@ -2,6 +2,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 from typing import Any, ClassVar, NamedTuple
 
 import numpy as np
@@ -71,7 +72,8 @@ class Prediction(LiveView):
     def __init__(self, name: str, asked: Asked, view: LiveView | None = None) -> None:
         shown = asked.view() if view is None and asked.view else view
         scene, values = shown.copied() if shown else (_BLANK, [])
-        self.name, self.cases, self._partner = name, tuple(asked.cases), view
+        self.name, self._partner = name, view
+        self.cases = tuple(_in_unit(case, scene) for case in asked.cases)
         self._guess = guess.with_guess(scene, _wanted(self.cases))
         self._own = self._guess.first
         self._begin = list(values)
@@ -218,6 +220,13 @@ class Prediction(LiveView):
         state = "open" if told is None else told.said
         lines = [f"Prediction({self.name!r}): {one.ask}", *one.lines(), state]
         return "\n".join([*lines, one.why] if told else lines)
+
+
+def _in_unit(case: Case, scene: Scene) -> Case:
+    """A mark without a unit is in that of the view's table."""
+    if not isinstance(case, Mark) or case.unit or not scene.pose:
+        return case
+    return replace(case, unit=scene.pose.unit)
 
 
 def _wanted(cases: tuple[Case, ...]) -> list[guess.Wanted]:
