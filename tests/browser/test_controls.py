@@ -217,3 +217,13 @@ def test_python_does_not_move_a_slider_that_a_hand_holds(live):
     page.wait_for_timeout(300)
     run_code(page, "view.theta_1 = -50")
     expect(field(view, 0)).to_have_value("-50.0")
+
+
+def test_a_vector_under_a_picture_is_not_torn(page, tmp_path):
+    page.set_viewport_size({"width": 390, "height": 800})
+    view = kl.lessons.two_link.both_methods()
+    page.goto(view.save_html(tmp_path / "arm.html").as_uri())
+    heights = page.locator(".kl-readings .kl-number").evaluate_all(
+        "all => all.map(one => one.getBoundingClientRect().height)")
+    line = min(heights)
+    assert line > 0 and heights == pytest.approx([line] * len(heights), abs=1)
