@@ -148,6 +148,8 @@ def _is_widest(limits: np.ndarray) -> str:
 _CLEAR = (_stays_above, _is_widest)
 _WALL_SLIPS = [
     degrees_slip(_CLEAR, subject="These", hint="write np.radians([...])"),
+    ("These are the limits for an elbow that bends to the other side.",
+     lambda q: np.allclose(q, [_ASKEW, pi], atol=2e-3)),
     ("At 180° link 1 lies along the wall; where does link 2 point once it is bent?",
      lambda q: np.isclose(q[1], pi, atol=1e-2)),
     ("Link 2 may point down, as long as its end stays above the wall.",
@@ -158,8 +160,6 @@ _WALL_SLIPS = [
      "along the wall: take it from 180°.", lambda q: np.isclose(q[1], _ASKEW, atol=2e-3)),
     ("Opposite over adjacent: at 90° the tool is l_2 = 0.6 m beside the end of link 1, which is "
      "l_1 = 1 m long.", lambda q: np.isclose(q[1], pi / 2 + _ASKEW, atol=2e-3)),
-    ("These are the limits for an elbow that bends to the other side.",
-     lambda q: np.allclose(q, [_ASKEW, pi], atol=2e-3)),
 ]
 
 # ---- Exercises 4 and 5: the Alpha II, close to its shoulder and towards a far point -----

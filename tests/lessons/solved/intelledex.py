@@ -85,3 +85,58 @@ WRONG = [
 
 STUBS = [("intelledex.1", ...), ("intelledex.2", [..., ..., ...]), ("intelledex.3", ...),
          ("intelledex.4", ...)]
+
+
+# ---- Slips that classes are likely to make --------------------------------------------------------
+
+c1, s1, c2, s2 = sp.cos(t1), sp.sin(t1), sp.cos(t2), sp.sin(t2)
+
+
+def by_parts(c34=sp.cos(t3 + t4), s34=sp.sin(t3 + t4), a3=304.8, a4=304.8, c1=c1, s1=s1, c2=c2,
+             s2=s2):
+    out, along = a3 * sp.cos(t3) + a4 * c34, a3 * sp.sin(t3) + a4 * s34
+    return [out * c1 * c2 + along * s1, out * s1 * c2 - along * c1, 373.4 + out * s2]
+
+
+WRONG += [
+    ("intelledex.1", kl.robots.intelledex_660t(), "kinlab has ready"),
+    ("intelledex.1", arm(alpha=(0, R, 0, 0, R, 0)), "alpha1"),
+    ("intelledex.1", arm(a=(0, 0, 0, 304.8, 304.8, 0)), "a3 is 0; it should be 304.8"),
+    ("intelledex.1", arm(a=(0, 0, 609.6, 0, 0, 0)), "a3 is 609.6; it should be 304.8"),
+    ("intelledex.1", arm(a=(0, 0, 30.48, 30.48, 0, 0), d=(37.34, 0, 0, 0, 0, 22.86)),
+     "All lengths are 10 times too small"),
+    ("intelledex.1", arm(d=(0, 373.4, 0, 0, 0, 228.6)), "Joint 2: the offset d2 is 373.4"),
+    ("intelledex.1", arm(d=(373.4, 0, 0, 0, 228.6, 0)), "d"),
+    ("intelledex.2", by_parts(c34=sp.cos(t3) + sp.cos(t4), s34=sp.sin(t3) + sp.sin(t4)),
+     "not the sum of two cosines"),
+    ("intelledex.2", by_parts(c34=sp.cos(t3) + sp.cos(t4)), "not the sum of two cosines"),
+    ("intelledex.2", by_parts(s34=sp.sin(t3) * sp.sin(t4)), "product of two cosines"),
+    ("intelledex.2", by_parts(a3=0), "upper arm is forgotten"),
+    ("intelledex.2", by_parts(a4=304.8 + 228.6), "a tool held straight"),
+    ("intelledex.2", by_parts(c2=1, s2=0), "theta_2, is left out"),
+    ("intelledex.2", by_parts(c1=1, s1=0), "Joint 1 is left out"),
+    ("intelledex.2", by_parts(s2=-s2), "The sign in w_z is wrong"),
+    ("intelledex.2", by_parts(c1=c2, s1=s2, c2=c1, s2=s1), "theta_1 and theta_2 have changed"),
+    ("intelledex.2", [by_parts()[0], by_parts()[1], ...], "w_z is still to do"),
+    ("intelledex.2", [by_parts()[0], by_parts()[1], 373.4], "w_z should be"),
+    ("intelledex.3", [{0, 1, 2, 3}, {1, 2, 3, 4}, {0, 1, 2, 3, 4}], "Joints count from 1"),
+    ("intelledex.3", [{1, 2, 3, 4}, {3, 5}, {1, 2, 3, 4, 5}], "two are missing"),
+    ("intelledex.3", [{1, 2, 3, 4}, {2, 3, 4, 5, 6}, {1, 2, 3, 4, 5}], "axis of joint 6"),
+    ("intelledex.3", [{1, 2, 3, 4}, {2, 3, 4, 5}, {1, 2, 3, 4, 5, 6}], "along the axis of joint 6"),
+    ("intelledex.3", [{1, 2, 3, 4}, {2, 3, 4, 5}, ...], "a is still to do"),
+    ("intelledex.4", np.radians([90, 0, 90, 0, 90, 0]), "in line with the forearm"),
+    ("intelledex.4", np.radians([90, 0, 90, 0, 0, 0]), "45° away from 45° to the left"),
+    ("intelledex.4", np.radians([90, 180, 90, 0, 45, 0]), "to the right"),
+    ("intelledex.4", np.radians([90, 0, 90, 0, 45]), "you gave five"),
+    ("intelledex.4", kl.inverse_kinematics(kl.robots.intelledex_660t(), [600, 100, 300]),
+     "Hand over its .q"),
+    ("intelledex.4", [pi / 2, 0, pi / 2, 0, ..., 0], "still to do"),
+]
+
+ALSO += [
+    ("intelledex.1", arm(alpha=(R, R, 0, 0, -R, 0)), "x5 points the other way"),
+    ("intelledex.1", arm(alpha=(R, -R, 0, 0, R, 0)), "x2 points the other way"),
+    ("intelledex.4", np.radians([90, 360, 90, 0, 45, 77]), "has yawed the tool"),
+    ("intelledex.4", np.radians([90, 180, 90, 0, 135, 0]), "has yawed the tool"),
+    ("intelledex.2", [[part] for part in by_parts()], "Four joints"),
+]

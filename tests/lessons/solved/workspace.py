@@ -3,6 +3,8 @@ from math import pi
 
 import numpy as np
 
+import kinlab as kl
+
 
 def ring(l_1, l_2):
     near, far = abs(l_1 - l_2), l_1 + l_2
@@ -63,3 +65,50 @@ WRONG = [
 
 STUBS = [("workspace.1", ...), ("workspace.1", lambda l_1, l_2: ...), ("workspace.2", ...),
          ("workspace.3", None), ("workspace.4", ...), ("workspace.5", ...)]
+
+
+# ---- Slips that classes are likely to make --------------------------------------------------------
+
+ASKEW = np.arctan(0.6)  # how far the tool appears beside link 1 with the elbow at 90°
+
+WRONG += [
+    ("workspace.1", but(lambda near, far, _: (near, far, 2 * pi * (far**2 - near**2))),
+     "pi r², without a 2"),
+    ("workspace.1", but(lambda near, far, _: (near, far, pi * (far**2 + near**2))), "not added"),
+    ("workspace.1", but(lambda near, far, _: (near, far, pi * near**2)), "that of the hole"),
+    ("workspace.1", lambda a, b: (min(a, b), max(a, b), pi * (max(a, b)**2 - min(a, b)**2)),
+     "are not the two links"),
+    ("workspace.1", lambda a, b: (min(a, b), a + b, pi * ((a + b)**2 - min(a, b)**2)),
+     "lie on each other"),
+    ("workspace.1", but(lambda near, far, _: (near, far)), "you"),
+    ("workspace.1", lambda l: (l[0] - l[1], l[0] + l[1], 1), "takes 1 arguments and was given 2"),
+    ("workspace.2", [130, 90], "in metres"),
+    ("workspace.2", [1300, 900], "in metres"),
+    ("workspace.2", [1.4, 0.8], "folded its tool is 0.6 m from the base"),
+    ("workspace.2", [1.1, 1.1], "Links of equal length leave no hole"),
+    ("workspace.2", [1.3], "two lengths, l_1 and l_2"),
+    ("workspace.2", [1.3, ...], "still to do"),
+    ("workspace.3", [0, ASKEW], "take it from 180°"),
+    ("workspace.3", [0, pi / 2 + ASKEW], "Opposite over adjacent"),
+    ("workspace.3", [ASKEW, pi], "bends to the other side"),
+    ("workspace.3", [0, 180], "np.radians"),
+    ("workspace.3", [0, 2.5], "could be wider"),
+    ("workspace.3", [0, ...], "still to do"),
+    ("workspace.4", np.radians([0, 0, 135, 45, 0]), "from the wrist to the shoulder"),
+    ("workspace.4", np.radians([0, 0, 90, 45, 0]), "as far as its limit lets it"),
+    ("workspace.4", np.radians([0, 0, 0, -90, 0]), "485.1 mm from the shoulder"),
+    ("workspace.4", np.radians([0, 0, 135, 22.5 + 360, 0]), "beyond its limits"),
+    ("workspace.4", kl.inverse_kinematics(kl.robots.alpha_ii(), [0, 0, 215]), "Hand over its .q"),
+    ("workspace.5", [0, -np.arctan2(600, 285), 0, -pi / 2, 0], "the two have changed places"),
+    ("workspace.5", [0.2, -np.arctan2(285, 600), 0, -pi / 2, 0], "straight ahead"),
+    ("workspace.5", [0, -np.arctan2(285, 600), 0.5, -pi / 2, 0], "A bent arm is shorter"),
+    ("workspace.5", [0, -np.arctan2(285, 600), 0, -pi / 2], "you gave four"),
+    ("workspace.5", kl.inverse_kinematics(kl.robots.alpha_ii(), [600, 0, 500]),
+     "Hand over its .q"),
+]
+
+ALSO = [
+    ("workspace.2", [0.9, 1.3], "links exchanged"),
+    ("workspace.3", np.radians([0, 149]), "As wide as can be"),  # what sliders show
+    ("workspace.5", np.radians([0, -25.4, 0, -90, 30]), "Stretched"),
+]
