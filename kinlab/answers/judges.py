@@ -56,7 +56,7 @@ def _reading(judge: Judge) -> Judge:
 def function(reference: Callable, cases: Sequence[Case], *, entry: Names,
              slips: Sequence[Slip] = (), praise: str, angles: Any = False, without: str = "",
              prepare: Callable[..., Sequence] | None = None,
-             read: Callable[[Any], Any] | None = None) -> Judge:
+             read: Callable[[Any], Any] | None = None, part: Names | None = None) -> Judge:
     """Judge of a function: it must equal the reference in every case.
 
     Each case is copied before each call. The first one is tried once more at the end, since a
@@ -80,6 +80,8 @@ def function(reference: Callable, cases: Sequence[Case], *, entry: Names,
         Makes the student's arguments of a case's values; they are the arguments if left out.
     read : callable, optional
         Makes numbers of a result, or raises a ValueError that says what is wrong with it.
+    part : callable, optional
+        Names the part that an entry belongs to, for what is still to do.
     """
     @_reading
     def judge(answer: Any) -> Verdict:
@@ -91,14 +93,15 @@ def function(reference: Callable, cases: Sequence[Case], *, entry: Names,
         *calls, again = (called(answer, prepare(*case.values()) if prepare else [*case.values()],
                                 watched=bool(without)) for case in [*cases, cases[0]])
         _refuse_help(calls, without)
-        _refuse_errors(calls, cases)
+        _refuse_errors(calls, cases, slips)
         if all(untouched(call.result) for call in calls):
             return Verdict(BLANK, "The function returns nothing so far. Replace the ... and end "
                                   "with return.")
         rights = [np.asarray(reference(*case.values())) for case in cases]
         given = [_result(call.result, right.shape, _for(case), read)
                  for call, right, case in zip(calls, rights, cases)]
-        verdict = _compared(Results(given, rights, angles), cases, entry, slips, praise)
+        verdict = _compared(Results(given, rights, angles), cases, entry, slips, praise,
+                            part or ())
         if verdict.ok:
             verdict = _repeated(again, rights[0], cases[0], entry, angles, read) or verdict
         return _with_remark(verdict, calls, cases, prepare is None)
@@ -111,10 +114,28 @@ def _refuse_help(calls: Sequence[Call], without: str) -> None:
         raise _Unreadable(f"Your function calls kinlab's own `{helper}`. {without}")
 
 
-def _refuse_errors(calls: Sequence[Call], cases: Sequence[Case]) -> None:
+def _refuse_errors(calls: Sequence[Call], cases: Sequence[Case],
+                   slips: Sequence[Slip] = ()) -> None:
     for call, case in zip(calls, cases):
         if call.error is not None:
-            raise _Unreadable(f"For {_said(case)} your function raised {in_words(call.error)}.")
+            raise _Unreadable(" ".join([
+                f"For {_said(case)} your function raised {in_words(call.error)}.",
+                *first_of(slips, lambda slip: _fails_alike(slip, calls, cases))]))
+
+
+def _fails_alike(slip: Callable, calls: Sequence[Call], cases: Sequence[Case]) -> bool:
+    """Whether a slip raises where the student's function does, and gives the same elsewhere."""
+    wrongs = [called(slip, [*case.values()]) for case in cases]
+    return all((call.error is None) == (wrong.error is None) and (
+        call.error is not None or _close(call.result, wrong.result))
+        for call, wrong in zip(calls, wrongs))
+
+
+def _close(result: Any, wrong: Any) -> bool:
+    try:
+        return np.shape(result) == np.shape(wrong) and np.allclose(result, wrong)
+    except (TypeError, ValueError):  # no numbers
+        return False
 
 
 def _result(result: Any, shape: tuple, start: str, read: Callable | None) -> Given:
@@ -204,14 +225,14 @@ def _by_parts(answer: Any, right: np.ndarray, parts: Sequence[str]) -> Given:
 
 
 def _compared(results: Results, cases: Sequence[Case], entry: Names, slips: Sequence[Slip],
-              praise: str, parts: Sequence[str] = ()) -> Verdict:
+              praise: str, parts: Sequence[str] | Names = ()) -> Verdict:
     """The praise, or the first case where the results leave the reference."""
     if untouched_in := [k for k, given in enumerate(results.given) if given.missing.all()]:
         raise _Unreadable(f"{_for(cases[untouched_in[0]])}: replace every ... by a number.")
     missing = _missing(results.given[0].missing, entry, parts)
     if wrong := _first_wrong(results, cases, entry):
         hints = first_of(slips, lambda slip: results.all_same(
-            [slip(*case.values()) for case in cases])) or hint(
+            [called(slip, [*case.values()]).result for case in cases])) or hint(
                 results, entry, "return" if cases[0] else "give")
         more = [f"{to_do(missing)}."[:1].upper() + f"{to_do(missing)}."[1:]] if missing else []
         return Verdict(NOT_YET, " ".join([wrong, *hints, *more]))
@@ -233,8 +254,10 @@ def _first_wrong(results: Results, cases: Sequence[Case], entry: Names) -> str:
     return ""
 
 
-def _missing(where: np.ndarray, entry: Names, parts: Sequence[str]) -> list[str]:
+def _missing(where: np.ndarray, entry: Names, parts: Sequence[str] | Names) -> list[str]:
     """The names of entries, those of a whole part by the part's name."""
+    if callable(parts):
+        return list(dict.fromkeys(parts(tuple(index)) for index in np.argwhere(where).tolist()))
     if not parts:
         return [entry(tuple(index)) for index in np.argwhere(where).tolist()]
     names = []
@@ -366,8 +389,9 @@ def _chosen(name: str, part: Any, allowed: set, noun: str) -> set:
         if is_stub(number):
             raise _Unreadable(f"{name}: there is still a ... in it.")
         if not isinstance(number, (Real, np.number)) or number not in allowed:
+            zero = f" {noun.capitalize()}s count from 1, not from 0." if number == 0 else ""
             raise _Unreadable(f"{name}: there is no {noun} {inputs.brief(number)}; choose from "
-                              f"{_braces(allowed)}.")
+                              f"{_braces(allowed)}.{zero}")
     return {int(number) for number in part}
 
 

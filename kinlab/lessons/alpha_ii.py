@@ -212,6 +212,7 @@ _TABLE_SLIPS = [
 JUDGES: dict[str, Judge] = {
     "alpha_ii.1": function(
         _A, _LINK_CASES, slips=_LINK_SLIPS, entry=matrix_entry,
+        without="Write the matrix of section 2, or multiply four matrices of your own.",
         praise="Your function agrees in every case. It serves every link of every arm in "
                "standard DH parameters."),
     "alpha_ii.2": expressions(

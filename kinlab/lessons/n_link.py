@@ -21,7 +21,6 @@ from ..answers.matrices import (
     sign_slips,
 )
 from ..answers.table_judge import column, table, with_columns
-from ..answers.verdict import Verdict
 from ..arms import euler, inputs, kinematics, robots
 from ..arms.arm import Arm
 from .asked.n_link import PREDICTIONS
@@ -145,17 +144,19 @@ def _as_printed(*q: float) -> np.ndarray:
     return np.column_stack([T, T @ [*vector, 1]])
 
 
+_POINTS = ((3,), (4,), (3, 1), (4, 1))  # shapes
+
+
 def _joined(result: Any) -> Any:
     """T and p side by side, the point with its 1, for the comparison entry by entry."""
-    if is_stub(result):
-        return result
     if not isinstance(result, (tuple, list)) or len(result) != 2:
-        raise ValueError(f"two results are asked for, T and p; your function gave "
+        raise ValueError("two results are asked for, T and p; your function gave "
                          f"{_how_many(result)}. End with return T, p")
     T, p = result
-    if np.shape(T) in ((3,), (3, 1), (4,), (4, 1)) and np.shape(p) == (4, 4):
+    if np.shape(T) in _POINTS and np.shape(p) == (4, 4):
         raise ValueError("T and p have changed places: end with return T, p")
-    return np.column_stack([_matrix(T), np.append(_point(p), 1)])
+    rows = [[...] * 4] * 4 if is_stub(T) else _matrix(T).tolist()
+    return [[*row, x] for row, x in zip(rows, [*([...] * 3 if is_stub(p) else _point(p)), 1.0])]
 
 
 def _how_many(result: Any) -> str:
@@ -172,7 +173,7 @@ def _matrix(T: Any) -> np.ndarray:
 
 def _point(p: Any) -> np.ndarray:
     """Three numbers, in a row or in a column, with or without the 1 behind them."""
-    if np.shape(p) not in ((3,), (4,), (3, 1), (4, 1)):
+    if np.shape(p) not in _POINTS:
         raise ValueError(f"p should be three numbers; yours is {_size(p)}")
     return inputs.real_array("p", p, "three numbers").ravel()[:3]
 
@@ -215,18 +216,9 @@ _CHAIN_SLIPS: list[Slip] = [
 ]
 
 
-def _through(prepare: Callable, judge: Judge, read: Callable = lambda result: result) -> Judge:
-    """A judge of functions whose arguments `prepare` makes of a case's numbers."""
-    def judged(answer: Any) -> Verdict:
-        if not callable(answer):
-            return judge(answer)
-        return judge(lambda *numbers: read(answer(*prepare(*numbers))))
-    return judged
-
-
 def _chain_entry(index: tuple) -> str:
     row, column = index
-    return f"{'xyz'[row]} of p_E" if column == 4 else f"the entry of T in {matrix_place(index)}"
+    return f"{'xyz1'[row]} of p_E" if column == 4 else f"the entry of T in {matrix_place(index)}"
 
 
 # ---- Exercise 3: the six-link arm ------------------------------------------------------
@@ -389,16 +381,19 @@ JUDGES: dict[str, Judge] = {
     "n_link.1": function(
         _M, _LINK_CASES, slips=_LINK_SLIPS, entry=matrix_entry,
         praise="This is the practical's link matrix, with its four rows."),
-    "n_link.2": _through(_task, function(
-        _answer, _ARM_CASES, slips=_CHAIN_SLIPS, entry=_chain_entry,
+    "n_link.2": function(
+        _answer, _ARM_CASES, slips=_CHAIN_SLIPS, entry=_chain_entry, prepare=_task, read=_joined,
+        part=lambda index: "p" if index[1] == 4 else "T",
         praise="Your program does what the practical asks for, for two, three and six links."),
-        read=_joined),
     "n_link.3": table(
         _SIX, strict=True, upright=True, slips=_SIX_SLIPS,
         praise="Add a cell with kl.ArmView(my_arm): it is your sketch."),
-    "n_link.4": _through(lambda *angles: [euler.zyz_matrix(*angles)], function(
+    "n_link.4": function(
         _branches, _ZYZ_CASES, slips=_ZYZ_SLIPS, entry=_zyz_entry, angles=True,
-        praise="Both branches, with the printed slip put right.")),
+        prepare=lambda *angles: [euler.zyz_matrix(*angles)],
+        part=lambda index: f"the {('first', 'second')[index[0]]} branch",
+        without="Write the formulas of section 7 yourself.",
+        praise="Both branches, with the printed slip put right."),
     "n_link.5": one_of_many(
         one_pose(_SIX), _UP, slips=_UP_SLIPS,
         praise="The angles are degenerate, the wrist is bent. So the trouble lies in the three "

@@ -106,7 +106,7 @@ STUBS = [("alpha_ii.1", ...), ("alpha_ii.1", None), ("alpha_ii.1", lambda theta,
          ("alpha_ii.3", [..., ..., ...]), ("alpha_ii.3", ...), ("alpha_ii.4", ...)]
 
 
-# ---- Slips that classes are likely to make --------------------------------------------------------
+# ---- Slips that classes are likely to make ------------------------------------------------------
 
 def four(theta, d, a, alpha):
     """The four motions of a standard link: Rz, Tz, Tx, Rx."""
@@ -169,7 +169,7 @@ WRONG += [
     ("alpha_ii.2", tip(c1=1, s1=0), "lack joint 1"),
     ("alpha_ii.2", [c1 * DROP, s1 * DROP, 85.5 - OUT], "Sines and cosines"),
     ("alpha_ii.2", [..., s1 * OUT, 85.5 + DROP], "p_z should be"),
-    ("alpha_ii.3", [{1, 2, 3}, {0, 1, 2, 3}, {0, 1, 2, 3, 4}], "Joints count from 1"),
+    ("alpha_ii.3", [{1, 2, 3}, {0, 1, 2, 3}, {0, 1, 2, 3, 4}], "Joints count from 1, not from 0"),
     ("alpha_ii.3", [{2, 3, 4}, {1, 2, 3}, {1, 2, 3, 4, 5}], "one is missing"),
     ("alpha_ii.3", [{2}, {1, 2, 3, 4}, {1, 2, 3, 4, 5}], "two are missing"),
     ("alpha_ii.3", [{2, 3, 4}, {2, 3, 4}, {5}], "Turn the base"),

@@ -34,7 +34,7 @@ WRONG = [
 STUBS = [("errata.1", ...), ("errata.1", [...]), ("errata.2", [..., ..., ...]), ("errata.3", ...)]
 
 
-# ---- Slips that classes are likely to make --------------------------------------------------------
+# ---- Slips that classes are likely to make ------------------------------------------------------
 
 WRONG += [
     ("errata.1", [{1, 2}], "not line 1"),

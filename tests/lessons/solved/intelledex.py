@@ -87,12 +87,13 @@ STUBS = [("intelledex.1", ...), ("intelledex.2", [..., ..., ...]), ("intelledex.
          ("intelledex.4", ...)]
 
 
-# ---- Slips that classes are likely to make --------------------------------------------------------
+# ---- Slips that classes are likely to make ------------------------------------------------------
 
 c1, s1, c2, s2 = sp.cos(t1), sp.sin(t1), sp.cos(t2), sp.sin(t2)
+c34, s34 = sp.cos(t3 + t4), sp.sin(t3 + t4)
 
 
-def by_parts(c34=sp.cos(t3 + t4), s34=sp.sin(t3 + t4), a3=304.8, a4=304.8, c1=c1, s1=s1, c2=c2,
+def by_parts(c34=c34, s34=s34, a3=304.8, a4=304.8, c1=c1, s1=s1, c2=c2,
              s2=s2):
     out, along = a3 * sp.cos(t3) + a4 * c34, a3 * sp.sin(t3) + a4 * s34
     return [out * c1 * c2 + along * s1, out * s1 * c2 - along * c1, 373.4 + out * s2]
@@ -122,13 +123,13 @@ WRONG += [
     ("intelledex.3", [{0, 1, 2, 3}, {1, 2, 3, 4}, {0, 1, 2, 3, 4}], "Joints count from 1"),
     ("intelledex.3", [{1, 2, 3, 4}, {3, 5}, {1, 2, 3, 4, 5}], "two are missing"),
     ("intelledex.3", [{1, 2, 3, 4}, {2, 3, 4, 5, 6}, {1, 2, 3, 4, 5}], "axis of joint 6"),
-    ("intelledex.3", [{1, 2, 3, 4}, {2, 3, 4, 5}, {1, 2, 3, 4, 5, 6}], "along the axis of joint 6"),
+    ("intelledex.3", [{1, 2, 3, 4}, {2, 3, 4, 5}, set(range(1, 7))], "along the axis of joint 6"),
     ("intelledex.3", [{1, 2, 3, 4}, {2, 3, 4, 5}, ...], "a is still to do"),
     ("intelledex.4", np.radians([90, 0, 90, 0, 90, 0]), "in line with the forearm"),
     ("intelledex.4", np.radians([90, 0, 90, 0, 0, 0]), "45° away from 45° to the left"),
     ("intelledex.4", np.radians([90, 180, 90, 0, 45, 0]), "to the right"),
     ("intelledex.4", np.radians([90, 0, 90, 0, 45]), "you gave five"),
-    ("intelledex.4", kl.inverse_kinematics(kl.robots.intelledex_660t(), [600, 100, 300]),
+    ("intelledex.4", kl.inverse_kinematics(arm(), [600, 100, 300]),
      "Hand over its .q"),
     ("intelledex.4", [pi / 2, 0, pi / 2, 0, ..., 0], "still to do"),
 ]

@@ -80,7 +80,7 @@ STUBS = [("inverse.1", ...), ("inverse.1", lambda q, target, steps: ...),
          ("inverse.4", ...), ("inverse.5", ...)]
 
 
-# ---- Slips that classes are likely to make --------------------------------------------------------
+# ---- Slips that classes are likely to make ------------------------------------------------------
 
 def position(q):
     return kl.forward_kinematics(TWO, q)[:2, 3]
@@ -174,7 +174,7 @@ WRONG += [
         J * J.T + damping**2 * np.eye(len(e)), e), "work entry by entry"),
     ("inverse.2", lambda J, e, damping: np.linalg.solve(J + damping * np.eye(len(e)), e),
      "do not fit"),
-    ("inverse.3", [set(), {0}, {1, 2, 3}], "Joints count from 1"),
+    ("inverse.3", [set(), {0}, {1, 2, 3}], "Joints count from 1, not from 0"),
     ("inverse.3", [set(), {1}, set()], "three are missing"),
     ("inverse.3", [set(), {1}, {2, 3, 4, 5}], "not joint 5"),
     ("inverse.3", [{2, 3, 4}, {1}, {2, 3, 4}], "perpendicular"),

@@ -174,7 +174,7 @@ STUBS = [("n_link.1", ...), ("n_link.1", lambda alpha, a, d, theta: ...),
          ("n_link.4", lambda R: ...), ("n_link.4", ...), ("n_link.5", ...)]
 
 
-# ---- Slips that classes are likely to make --------------------------------------------------------
+# ---- Slips that classes are likely to make ------------------------------------------------------
 
 def four(alpha, a, d, theta):
     """The four motions of a modified link: Rx, Tx, Rz, Tz."""
@@ -296,6 +296,9 @@ WRONG += [
      "alpha, a, d, theta, in this order"),
     ("n_link.2", lambda table, tool: (forward(table, tool)[0].T, forward(table, tool)[1]),
      "T is transposed"),
+    ("n_link.2", lambda table, tool: (forward(table, tool)[0], ...), "T is right; p is still to"),
+    ("n_link.2", lambda table, tool: (..., forward(table, tool)[1]), "p is right; T is still to"),
+    ("n_link.4", lambda R: [zyz(R)[0], ...], "the first branch is right; the second branch is"),
     ("n_link.2", lambda table, tool: forward(table, tool)[1], "your function gave one. End with"),
     ("n_link.2", lambda table, tool: (*forward(table, tool), 1), "your function gave 3"),
     ("n_link.2", lambda table, tool: (forward(table, tool)[0], forward(table, tool)[1][:2]),
@@ -326,7 +329,7 @@ WRONG += [
     ("n_link.4", theta_by_arcsin, "arcsin cannot tell 80° from 100°"),
     ("n_link.4", exchanged_atan2, "atan2 takes y first"),
     ("n_link.4", counted_from_one, "there is no index 3. Python counts from 0"),
-    ("n_link.4", lambda R: [zyz(R)[0], np.array(zyz(R)[0]) * [1, -1, 1]], "with theta turned round"),
+    ("n_link.4", lambda R: [zyz(R)[0], np.array(zyz(R)[0]) * [1, -1, 1]], "theta turned round"),
     ("n_link.4", lambda R: [zyz(R)[0], [*zyz(R)[1][:1], zyz(R)[0][1], zyz(R)[1][2]]],
      "In the second its sine is negative"),
     ("n_link.4", lambda R: kl.zyz_angles(R).solutions, "kinlab's own `zyz_angles`"),
@@ -336,3 +339,5 @@ WRONG += [
     ("n_link.5", np.radians([0, 90, 0, 0, 90, 0]), "away from straight up"),
     ("n_link.5", kl.inverse_kinematics(six(), [0, 0, 2]), "Hand over its .q"),
 ]
+
+STUBS += [("n_link.2", lambda table, tool: (..., ...)), ("n_link.5", [...] * 6)]

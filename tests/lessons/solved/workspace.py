@@ -67,7 +67,7 @@ STUBS = [("workspace.1", ...), ("workspace.1", lambda l_1, l_2: ...), ("workspac
          ("workspace.3", None), ("workspace.4", ...), ("workspace.5", ...)]
 
 
-# ---- Slips that classes are likely to make --------------------------------------------------------
+# ---- Slips that classes are likely to make ------------------------------------------------------
 
 ASKEW = np.arctan(0.6)  # how far the tool appears beside link 1 with the elbow at 90°
 
@@ -81,7 +81,7 @@ WRONG += [
     ("workspace.1", lambda a, b: (min(a, b), a + b, pi * ((a + b)**2 - min(a, b)**2)),
      "lie on each other"),
     ("workspace.1", but(lambda near, far, _: (near, far)), "you"),
-    ("workspace.1", lambda l: (l[0] - l[1], l[0] + l[1], 1), "takes 1 arguments and was given 2"),
+    ("workspace.1", lambda links: (0, sum(links), 1), "takes 1 arguments and was given 2"),
     ("workspace.2", [130, 90], "in metres"),
     ("workspace.2", [1300, 900], "in metres"),
     ("workspace.2", [1.4, 0.8], "folded its tool is 0.6 m from the base"),
