@@ -6,6 +6,7 @@ from __future__ import annotations
 
 from . import lessons
 from .arms import inputs
+from .views.folding import fold_answers
 from .views.live import LiveView
 from .views.prediction import Prediction
 
@@ -31,6 +32,7 @@ def predict(name: str, view: LiveView | None = None) -> Prediction:
     ValueError
         If there is no prediction of this name, or `view` is none or has not what is asked for.
     """
+    fold_answers()
     lesson = inputs.choice("name", name.partition(".")[0] if isinstance(name, str) else name,
                            lessons.names())
     known = lessons.predictions(lesson)

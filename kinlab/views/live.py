@@ -17,6 +17,7 @@ from ..browser import bundle, page
 from ..drawing import worker
 from ..drawing.controls import Knob, decimals
 from ..drawing.scene import CLOUD, Scene
+from .folding import is_folded
 
 DECIMALS = 4  # of numbers in words, where nothing asks for more
 
@@ -110,6 +111,7 @@ class LiveView(anywidget.AnyWidget):
     _page: ClassVar[dict] = {}  # what a page with this view needs besides
     scene = traitlets.Dict().tag(sync=True)
     note = traitlets.Unicode().tag(sync=True)
+    folded = traitlets.Bool().tag(sync=True)  # drawn when it is opened
     formula = traitlets.Unicode().tag(sync=True)  # MathML
     q = KnobValues()
 
@@ -221,6 +223,7 @@ class LiveView(anywidget.AnyWidget):
     def _repr_mimebundle_(  # type: ignore[override]  # IPython takes a dict alone, too
             self, **kwargs: Any) -> tuple[dict, dict] | dict:
         """The widget, and for places where none runs a still picture and a text."""
+        self.folded = is_folded()
         shown = super()._repr_mimebundle_(**kwargs)
         if shown is None:
             return {}
