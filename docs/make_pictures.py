@@ -32,7 +32,7 @@ POSES = np.array([[0, 0, 0, -90, 0], [40, -50, 50, -60, 0], [40, -50, 50, -60, 9
 STEPS, MILLISECONDS = 10, 80
 CELL = "import kinlab as kl\nview = kl.ArmView(kl.robots.alpha_ii(), closed_form=True)\nview"
 LESSON = ["import numpy as np\nimport kinlab as kl",
-          "reach = kl.lessons.start_here.reach_view()\nreach",
+          "kl.lessons.start_here.two_ways_view()",
           "two_ways = np.radians([[50, -60], [50, 60]])\n"
           'kl.exercises.check("start_here.5", two_ways)']
 EDITOR = ["import kinlab as kl\neditor = kl.DHTableEditor(kl.robots.cylindrical())\neditor"]
