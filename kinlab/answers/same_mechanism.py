@@ -11,6 +11,7 @@ import numpy as np
 from ..arms.arm import Arm, check_arm
 from ..arms.link import Link
 from .fixed_rows import joints_only, kinds, without_ends
+from .handed import arm_in, red_cell
 from .mechanism import (
     SIXTH_DECIMAL,
     Axes,
@@ -42,6 +43,7 @@ def same_mechanism(answer: Arm, reference: Arm, *, strict: bool = False,
     Parameters
     ----------
     answer, reference : Arm
+        Or an editor that has one. While one of its cells is red there is nothing to judge.
     strict : bool
         Also ask that both stand alike at q = 0 and carry the same tool frame. Then no offset and
         no tool transform is free: forward_kinematics(answer, s * q) equals, after one placement
@@ -71,8 +73,11 @@ def same_mechanism(answer: Arm, reference: Arm, *, strict: bool = False,
     >>> same_mechanism(to_modified(arm), arm)
     ✓ Correct. The same mechanism. Chosen differently: modified DH instead of standard.
     """
+    answer, reference = arm_in(answer), arm_in(reference)
     check_arm(answer)
     check_arm(reference)
+    if red := red_cell(answer) or red_cell(reference):
+        return red
     if other := other_joints(answer, reference):
         return other
     layout = layout_of(reference)

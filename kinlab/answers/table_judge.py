@@ -19,6 +19,7 @@ from ..arms.kinematics import forward_kinematics
 from ..arms.link import revolute, with_numbers
 from ..arms.motions import Numbers
 from .fixed_rows import without_ends
+from .handed import arm_in, red_cell
 from .judges import Judge, first_of, is_stub
 from .same_mechanism import same_mechanism
 from .verdict import BLANK, NOT_YET, Fault, Verdict
@@ -48,6 +49,9 @@ def table(reference: Arm, *, ends: bool = False, strict: bool = False, upright: 
     def judge(answer: Any) -> Verdict:
         if is_stub(answer):
             return Verdict(BLANK, "Replace the ... by kl.Arm([kl.revolute(...), ...]).")
+        answer = arm_in(answer)
+        if red := red_cell(answer):
+            return red
         if not isinstance(answer, Arm):
             return Verdict(NOT_YET, "Expected an arm, made with kl.Arm([kl.revolute(...), ...]).")
         if _ready_made(answer, reference):

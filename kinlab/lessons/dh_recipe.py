@@ -2,6 +2,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from functools import reduce
 from itertools import product
 from math import degrees, pi, radians
@@ -401,6 +402,10 @@ def _table(numbers: list[list[float]]) -> Verdict:
     if misplaced := _misplaced(moved, places):
         return misplaced
     arm = _arm_of(tables[0], [(revolute, prismatic)[place] for place, in places])
+    backwards = [moved[0, i, place] * q < 0 for i, ((place,), q) in enumerate(
+        zip(places, _POINTS[0].values()))]
+    arm = replace(arm, links=tuple(replace(link, flip=bool(flip))
+                                   for link, flip in zip(arm.links, backwards)))
     slips = [(message, _arm_of(_changed(change, 0, 0, 0)))
              for message, change in (_SWAPPED, _MOVED)]
     verdict = examined(arm, _EXAM, ends=True, slips=slips,
@@ -429,6 +434,12 @@ def _begun(numbers: list[list[float]], gaps: list[str]) -> Verdict:
 
 def _other_zero(arm: Arm) -> tuple[list[str], Fault | None]:
     """Which constant beside a joint variable makes the arm stand as in the view, in any frames."""
+    for i, name in ((1, "d"), (1, "a"), (2, "a")):
+        column = [getattr(link, name) for link in arm.links]
+        if column[i] and stands_as(with_columns(arm, **{name: np.where(
+                np.arange(3) == i, -np.array(column), column)}), _EXAM):
+            return [f"Row {i + 1}: the sign of {name} is wrong."], Fault(i + 1, name, column[i],
+                                                                         -column[i])
     turn, slide = arm.links[1].theta, arm.links[2].d
     quarters = [k * pi / 2 for k in (1, -1, 0, 2)]
     for theta, d in [(turn, 0.0), *product(quarters, (slide, 0.0))]:
@@ -460,14 +471,22 @@ def _arm_of(rows: Rows, kinds: Sequence[Callable] = (revolute, revolute, prismat
 
 
 def stands_as(answer: Arm, reference: Arm) -> bool:
-    """Whether the tip is as far from the floor's origin as it should be, in every pose.
+    """Whether a turn about the floor's origin carries all tips to where they should be.
 
-    That depends on the zeros of theta_2 and d_3, but neither on frames nor on signs of joints.
+    That depends on the zeros of theta_2 and d_3 and on which way the slide leads, but neither on
+    frames nor on signs of the joints that turn.
     """
     poses = np.random.default_rng(0).uniform(-2, 2, (9, 3))
-    wanted = np.linalg.norm(forward_kinematics(reference, poses)[:, :3, 3], axis=1)
-    return any(np.allclose(np.linalg.norm(forward_kinematics(answer, poses * signs)[:, :3, 3],
-                                          axis=1), wanted) for signs in product((1, -1), repeat=3))
+    wanted = forward_kinematics(reference, poses)[:, :3, 3]
+    return any(_turned(forward_kinematics(answer, poses * signs)[:, :3, 3], wanted)
+               for signs in product((1, -1), (1, -1), (1,)))
+
+
+def _turned(points: np.ndarray, wanted: np.ndarray) -> bool:
+    """Whether a rotation carries points to other ones; a mirror image is none."""
+    U, _, V = np.linalg.svd(points.T @ wanted)
+    R = U @ np.diag([1, 1, np.linalg.det(U @ V)]) @ V
+    return np.allclose(points @ R, wanted)
 
 
 # ---- Exercises 3 to 5: the matrices of the view's frames --------------------------------
@@ -530,6 +549,10 @@ def _frames(answer: Any) -> Verdict:
     if placement.arm is None:
         return placement
     view, own = link_frames(_EXAM, _EXAM.home), link_frames(placement.arm, placement.arm.home)
+    away = np.linalg.norm(own[3, :3, 3] - view[3, :3, 3])
+    if away > 1e-3:
+        return Verdict(NOT_YET, f"All frames keep the rules, but O_3 is {away:.4g} m away from the "
+                                "tip, which is at (0.4, -0.2, 0.9). The last frame belongs there.")
     turned = [i for i in range(3) if view[i, :3, 2] @ own[i, :3, 2] < 0]
     if not turned:
         return Verdict(NOT_YET, "All frames keep the rules, but every z points as in the view: "

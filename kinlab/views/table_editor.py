@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 import traitlets
 
+from ..answers.handed import marked
 from ..arms import inputs, printed
 from ..arms.arm import Arm, check_arm
 from ..arms.joints import first_pose
@@ -89,7 +90,8 @@ class DHTableEditor(ArmView):
     ----------
     arm : Arm
         What the picture shows: the arm of the table. While a cell is marked it is the arm of the
-        last table that could be read; `table.arm` is None then. Setting it loads an arm.
+        last table that could be read, which no check judges; `table.arm` is None then. Setting
+        it loads an arm.
     table : DHTable
         The table as typed: its `errors`, and its edits, each of which gives a new table.
         Setting it is one step that `undo` takes back.
@@ -148,7 +150,7 @@ class DHTableEditor(ArmView):
 
     @property
     def arm(self) -> Arm:
-        return self._arm
+        return marked(self._arm, "" if self._table.arm else reasons(self._table)[0])
 
     @arm.setter
     def arm(self, arm: Arm) -> None:

@@ -295,8 +295,8 @@ def test_a_link_offset_before_a_slide_moves_the_tip(typed, far, convert):
     sign = ": its sign is wrong" if typed < 0 else ""
     verdict = kl.same_mechanism(convert(wrong), EXAM)
     assert repr(verdict) == (
-        f"✗ Not yet. Joint 2: the offset d2 is {typed:g}; it should be 0.2{sign}. The joint axes are "
-        f"alike, but the tip is {far:g} m away from where it should be.")
+        f"✗ Not yet. Joint 2: the offset d2 is {typed:g}; it should be 0.2{sign}. The joint axes "
+        f"are alike, but the tip is {far:g} m away from where it should be.")
     assert (verdict.fault.row, verdict.fault.column, verdict.fault.expected) == (2, "d", 0.2)
 
 
@@ -305,7 +305,7 @@ def test_a_link_offset_before_a_slide_moves_the_tip(typed, far, convert):
     (robots.intelledex_660t(), 6, {"d": 200}, "28.6 mm"), (robots.two_link(), 2, {"a": 0.5}, None)])
 def test_a_tool_of_another_length_is_not_correct(arm, number, typed, far):
     message = refused(row(arm, number, **typed), arm)
-    assert far is None or f"Joint {number}: " in message and f"the tip is {far} away" in message
+    assert far is None or (f"Joint {number}: " in message and f"the tip is {far} away" in message)
 
 
 def test_a_tool_that_is_elsewhere_is_not_correct():

@@ -48,7 +48,8 @@ def test_the_exam_arm_has_to_stand_as_drawn_whatever_frames_were_chosen():
     arm, rng = kl.robots.exam_2018(), np.random.default_rng(4)
     for _ in range(20):
         new, q0, signs = m.reassigned(arm, rng)
-        links = [replace(link, **{link.variable: getattr(link, link.variable) - s * q})
+        links = [replace(link, flip=bool(link.kind == "prismatic" and s < 0),
+                         **{link.variable: getattr(link, link.variable) - s * q})
                  for link, s, q in zip(new.links, signs, q0)]
         assert stands_as(replace(new, links=links), arm)
         for i, name in ((1, "theta"), (2, "d")):

@@ -72,7 +72,7 @@ ALSO = [
     ("dh_recipe.7", frames(2, z=-X), "z2 points the other way"),
     ("dh_recipe.7", frames(3, z=Y, x=-Z), "z1 points the other way, so joint 2 counts backwards"),
     ("dh_recipe.7", [(5 * Z, Y, (0, 0, -2)), *FRAMES[1:]], "z1 points"),
-    ("dh_recipe.7", [*FRAMES[:2], (X, Z, (0, -1, 3)), (X, Z, (0, -1, 0))], "z1 points"),
+    ("dh_recipe.7", [*FRAMES[:2], (X, Z, (0, -1, 3)), (X, (0, 0.8, -2.1), O_3)], "z1 points"),
 ]
 
 # (exercise, answer, words of the message)
@@ -127,6 +127,11 @@ WRONG = [
     ("dh_recipe.6", [MEASURED[0], 0.3, -0.5, -MEASURED[3]], "sign of alpha"),
     ("dh_recipe.6", [MEASURED[0], -0.5, 0.3, MEASURED[3]], "changed places"),
     ("dh_recipe.6", MEASURED[:3], "expected four numbers; you gave three"),
+    ("dh_recipe.2", table(r2c1=-L), "the offset d2 is -0.2; it should be 0.2: its sign is"),
+    ("dh_recipe.2", table(r2c1=-L), "but the tip is 0.4 m away from where it should be"),
+    ("dh_recipe.2", table(r1c3=-RIGHT_ANGLE, r2c0=-t2 - RIGHT_ANGLE, r2c1=L, r2c3=-RIGHT_ANGLE),
+     "Row 2: the sign of d is wrong."),
+    ("dh_recipe.7", frames(3, origin=(0.5, -0.2, 0.9)), "O_3 is 0.1 m away from the tip"),
     ("dh_recipe.7", VIEW, "every z points as in the view"),
     ("dh_recipe.7", frames(1, x=Z), "Rule 1: x1 is not perpendicular to z0"),
     ("dh_recipe.7", frames(2, x=-Y), "turn x2 by 90° about z2"),
