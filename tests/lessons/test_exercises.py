@@ -235,3 +235,12 @@ def test_kinlabs_own_function_is_no_answer_where_the_task_forbids_it(answer):
     verdict = check("rotation.1", answer)
     assert verdict.word == "Not yet" and "without kinlab" in verdict.message
     assert "calls kinlab's own `rotation_" in verdict.message
+
+
+def test_a_print_is_no_help_from_kinlab(capsys):
+    def told(theta):
+        print("here", theta)
+        return RIGHT["rotation.1"](theta)
+
+    assert check("rotation.1", told).ok
+    assert capsys.readouterr().out.startswith("here 0")
