@@ -22,7 +22,7 @@ def rules_view() -> LiveView:
     The tilt is an arc, the miss a dimension line, each with its value. A right-angle mark and a
     ring where the lines meet are green while their rule is kept.
     """
-    sketch = Sketch("The two rules", 2.1, center=(0.3, 0.3, 1.1), planar=False)
+    sketch = Sketch("The two rules", 2.25, center=(0.3, 0.3, 1.1), planar=False)
     tilt = sketch.knob(Knob.angle("tilt", "tilt", -_LEANS, _LEANS, radians(25),
                                   "how far x₁ leans out of square with z₀"))
     miss = sketch.knob(Knob.length("miss", "miss", -_PASSES, _PASSES, 1.0,
