@@ -174,7 +174,7 @@ class Number(Case):
     turn: float = 0.0
 
     def read(self, answer: Any) -> float:
-        return float(inputs.number("answer", answer))
+        return _number(answer)
 
     def _told(self, answer: float, truth: Any) -> Told:
         off = _beyond(answer, self.right, self.turn)
@@ -324,7 +324,7 @@ class Direction(Case):
     slips: Sequence[tuple[float, str]] = ()
 
     def read(self, answer: Any) -> float:
-        return float(inputs.number("answer", answer))
+        return _number(answer)
 
     def _told(self, answer: float, truth: Any) -> Told:
         off = abs(_beyond(answer, truth, _TURN))
@@ -355,6 +355,12 @@ class Asked:
 
     view: Callable[[], Any] | None
     cases: Sequence[Case]
+
+
+def _number(answer: Any) -> float:
+    if isinstance(answer, bool):
+        raise ValueError(f"answer: expected a number, got {answer}")
+    return float(inputs.number("answer", answer))
 
 
 def _slip(slips: Sequence[tuple[Any, str]], far: Callable[[Any], float], tolerance: float) -> str:

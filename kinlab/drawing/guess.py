@@ -12,7 +12,6 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from ..arms import inputs
 from ..arms.motions import ROTATE, TRANSLATE, Numbers
 from .controls import Handle, Knob
 from .readings import Point
@@ -158,8 +157,11 @@ def _body(scene: Scene) -> int:
 def _points(scene: Scene, of: str) -> tuple[Point, ...]:
     if of == TIP:
         return (origin_of(scene.tip),)
-    names = tuple(item.gid for item in scene.items)
-    return scene.items[names.index(inputs.choice("of", of, names))].points
+    found = next((item.points for item in scene.items if item.gid == of), None)
+    if found is None:
+        raise ValueError(f"view: {scene.name!r} has nothing called {of!r}, of which the question "
+                         "is; hand over the view of its lesson, or none")
+    return found
 
 
 def _room(frames: np.ndarray, point: Point) -> np.ndarray:

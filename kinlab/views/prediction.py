@@ -153,6 +153,9 @@ class Prediction(LiveView):
         q = list(self._begin)
         names = list(self._named)[:self._own]
         for name, value in [pair for one in settings for pair in one.items()]:
+            if name not in names:
+                raise ValueError(f"view: has no slider {name!r}, which the question moves; hand "
+                                 "over the view of its lesson, or none")
             knob = self.knob(name)
             q[names.index(name)] = float(value) * knob.scale
         return q
