@@ -74,15 +74,16 @@ def _back(theta: float, origin: tuple[float, float], point: tuple[float, float],
 
 def _name(symbol: str, source: str, right: str, wrong: str, why: str) -> Choice:
     """Which pose a symbol stands for."""
-    return Choice(ask=f"{source} writes {symbol}. What is it?", why=why, right=right, options={
-        right: "", wrong: "The other way round.",
-        "it depends on the page": "Each of the lectures keeps its own habit on all its pages."})
+    poses = dict(sorted({right: "", wrong: "The other way round."}.items(), reverse=True))
+    never = {"it depends on the page": "Each of the lectures keeps its own habit on all its pages."}
+    return Choice(ask=f"{source} writes {symbol}. What is it?", why=why, right=right,
+                  options=poses | never)
 
 
 def _factor(product: str, right: str, why: str, **said: str) -> Choice:
     """The factor that is missing."""
     return Choice(ask=f"{product} Which factor is missing?", why=why, right=right,
-                  options=said | {right: ""})
+                  options=dict(sorted((said | {right: ""}).items())))
 
 
 def _number(value: float) -> str:
@@ -151,8 +152,8 @@ PREDICTIONS: dict[str, Asked] = {
     "notation.inverse": Asked(None, [Choice(
         ask="T_03 = T_01 @ T_12 @ T_23. Which product is its inverse, T_30?",
         why="T_32 @ T_21 @ T_10: neighbours agree, it begins with 3 and ends with 0.",
-        options={"T_32 @ T_21 @ T_10": "",
-                 "T_10 @ T_21 @ T_32": "Each factor is inverted, but 0 meets 2: reverse the order.",
+        options={"T_10 @ T_21 @ T_32": "Each factor is inverted, but 0 meets 2: reverse the order.",
+                 "T_32 @ T_21 @ T_10": "",
                  "T_23 @ T_12 @ T_01": "The order is reversed, but no factor is inverted."},
         right="T_32 @ T_21 @ T_10")]),
 }

@@ -6,6 +6,7 @@ after it ask the same idea with other numbers. docs/teaching.md has the key.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 from ..answers.prediction import Asked, Case, Choice, Direction, Mark, Number, Several, Signs
 from ..arms.motions import ROTATE, TRANSLATE, X, Z
@@ -138,7 +139,7 @@ def _link(drawn: str, right: str, why: str, slips: dict[str, str]) -> Choice:
 def _offset(sign: str, other: str, k: str) -> Choice:
     drawn, right = "90°" if sign == "+" else "−90°", f"θ = q{k} {sign} 90°"
     return Choice(
-        ask=f"With joint {k} at q{k} = 0, the drawing shows an angle of {drawn} about z, from the "
+        ask=f"At q{k} = 0 the drawing shows an angle of {drawn} about z, from the "
             "old x axis to the new one. What stands in the row of this joint?",
         why=f"At q{k} = 0 the parameter must be what the drawing shows, and it grows with the "
             "joint.", right=right, options={
@@ -234,8 +235,17 @@ IDEAS = {
     "the other convention (lessons 05, 06)": ("misread",),
 }
 
+
+
+def _in_order(case: Case) -> Case:
+    """The same, a choice with its texts by the alphabet: it does not tell the right one."""
+    if not isinstance(case, Choice):
+        return case
+    return replace(case, options=dict(sorted(case.options.items())))
+
+
 PREDICTIONS: dict[str, Asked] = {
-    f"pretest.{word}{version}": Asked(_VIEWS.get(word, (None, None))[k], [cases[k]])
+    f"pretest.{word}{version}": Asked(_VIEWS.get(word, (None, None))[k], [_in_order(cases[k])])
     for k, version in enumerate(("", "_again")) for word, cases in _VERSIONS.items()}
 
 

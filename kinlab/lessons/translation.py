@@ -247,8 +247,8 @@ PREDICTIONS: dict[str, Asked] = {
         ask="Two slides lead to a frame: first (1.5, −1), then (1, 1.5). Carry them out in the "
             "other order. Does the frame end in the same place?",
         why="Sums are the same in any order: the two ways are the sides of one parallelogram.",
-        options={"yes, but only for these numbers": "a + b = b + a holds for all numbers.",
-                 "no, it ends beside it": "Draw both ways on squared paper.", "yes, always": ""},
+        options={"no, it ends beside it": "Draw both ways on squared paper.", "yes, always": "",
+                 "yes, but only for these numbers": "a + b = b + a holds for all numbers."},
         right="yes, always")]),
     "translation.height": Asked(None, [
         _height(3, -1, 2, "3 + (−1) = 2: the bird is below the drone."),
