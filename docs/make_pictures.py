@@ -2,7 +2,8 @@
 
 docs/alpha_ii.gif films the Alpha II view in a real JupyterLab; docs/lesson.png and docs/editor.png
 are photographs from there: an answer with what is said to it, and a table that is typed. The others
-show saved pages: one solve by two methods, and an arm on a telephone.
+show saved pages: a prediction and what came, the stages of a link, one solve by two methods, and an
+arm on a telephone.
 
 Run with: python docs/make_pictures.py (needs the `test` extra and Chromium).
 """
@@ -41,10 +42,32 @@ EDITOR = ["import kinlab as kl\neditor = kl.DHTableEditor(kl.robots.cylindrical(
 def main() -> None:
     with tempfile.TemporaryDirectory() as folder:
         with open_browser() as browser:
+            predict(browser.new_page(viewport={"width": 1180, "height": 860}), Path(folder))
+            stages(browser.new_page(viewport={"width": 1180, "height": 860}), Path(folder))
             solve(browser.new_page(viewport={"width": 1280, "height": 860}), Path(folder))
             phone(browser.new_page(viewport={"width": 390, "height": 844}, has_touch=True,
                                    device_scale_factor=1.5), Path(folder))
     film()
+
+
+def predict(page: Page, folder: Path) -> None:
+    """A mark that was set, the arm that went elsewhere, and the gap."""
+    page.goto(kl.predict("intelledex.wrist").save_html(folder / "predict.html").as_uri())
+    for letter, place in (("x", "450"), ("z", "150")):
+        page.get_by_label(f"{letter} of your mark, number").fill(place)
+        page.keyboard.press("Enter")
+    page.get_by_role("button", name="Commit").click()
+    page.wait_for_timeout(1500)
+    page.locator(".kl-view").screenshot(path=ROOT / "docs" / "predict.png")
+
+
+def stages(page: Page, folder: Path) -> None:
+    """How a link comes by its frame: here the common normal."""
+    view = kl.link_view(kl.robots.exam_2018(), 2, [-0.35, -0.6, 0.4])
+    page.goto(view.save_html(folder / "stages.html").as_uri())
+    page.get_by_role("button", name="Normal", exact=True).click()
+    page.wait_for_timeout(1500)
+    page.locator(".kl-view").screenshot(path=ROOT / "docs" / "stages.png")
 
 
 def solve(page: Page, folder: Path) -> None:
