@@ -69,8 +69,8 @@ def _unfinished(q: np.ndarray, parts: Sequence[str], each: Sequence[Condition]) 
     there = [(name, condition) for name, condition, gap in zip(names, each, gaps) if not gap]
     failures = [failure for _, condition in there if (failure := condition(q))]
     if failures or not there:
-        words = to_do(missing)
-        return Verdict(NOT_YET, " ".join([*failures, f"{words[:1].upper()}{words[1:]}."]))
+        return Verdict(NOT_YET, " ".join([*failures, "Besides," if failures else "Your answer:",
+                                          f"{to_do(missing)}."]))
     return Verdict(NOT_YET, right_but([name for name, _ in there], missing))
 
 

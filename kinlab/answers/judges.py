@@ -231,15 +231,25 @@ def _compared(results: Results, cases: Sequence[Case], entry: Names, slips: Sequ
         raise _Unreadable(f"{_for(cases[untouched_in[0]])}: replace every ... by a number.")
     missing = _missing(results.given[0].missing, entry, parts)
     if wrong := _first_wrong(results, cases, entry):
-        hints = first_of(slips, lambda slip: results.all_same(
-            [called(slip, [*case.values()]).result for case in cases])) or hint(
-                results, entry, "return" if cases[0] else "give")
-        more = [f"{to_do(missing)}."[:1].upper() + f"{to_do(missing)}."[1:]] if missing else []
+        hints = _slip(results, cases, slips) or hint(results, entry,
+                                                     "return" if cases[0] else "give")
+        more = [f"Besides, {to_do(missing)}."] if missing else []
         return Verdict(NOT_YET, " ".join([wrong, *hints, *more]))
     if missing:
         there = _missing(~results.given[0].missing, entry, parts)
         return Verdict(NOT_YET, right_but([name for name in there if name not in missing], missing))
     return Verdict(CORRECT, praise)
+
+
+def _slip(results: Results, cases: Sequence[Case], slips: Sequence[Slip]) -> list[str]:
+    """The message of a slip that explains all numbers, with as few of them wrong as it takes."""
+    found = []
+    for message, wrong in slips:
+        others = [called(wrong, [*case.values()]).result for case in cases]
+        if results.all_same(others):
+            off = sum(int(np.sum(~np.isclose(*pair))) for pair in zip(others, results.right))
+            found.append((off, message))
+    return [min(found, key=lambda slip: slip[0])[1]] if found else []
 
 
 def _first_wrong(results: Results, cases: Sequence[Case], entry: Names) -> str:
@@ -431,7 +441,7 @@ def _flat(parts: list, most: int) -> list:
     rows = [part for part in parts if isinstance(part, (list, tuple))]
     if not rows or len(rows) < len(parts) or sum(map(len, rows)) != most:
         return parts
-    if len({len(row) for row in rows}) == 1 < len(rows[0]):
+    if {len(row) for row in rows} == {len(rows)}:
         raise _Unreadable(f"Your answer is a list of {counted(len(rows), 'row')}. Wrap it in "
                           "sp.Matrix(...), then it is a matrix.")
     return [part for row in rows for part in row]

@@ -3,7 +3,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import replace
-from functools import reduce
+from functools import partial, reduce
 from itertools import product
 from math import degrees, pi, radians
 from typing import Any
@@ -366,6 +366,16 @@ def _without_offset(rows: Rows) -> None:
     rows[1, 0] -= pi / 2
 
 
+def _offset_back(rows: Rows) -> None:
+    rows[1, 0] -= pi
+
+
+def _in_degrees(rows: Rows) -> None:
+    rows[1, 0] += 90 - pi / 2
+    rows[2, 0] = 90
+    rows[:2, 3] = 90
+
+
 def _twisted_back(rows: Rows) -> None:
     rows[:, 3] *= -1
 
@@ -380,8 +390,11 @@ def _moved_down(rows: Rows) -> None:
 
 _OFFSET = ("The offset of joint 2 is missing: when theta_2* is 0, x2 already stands 90° away from "
            "x1.", _without_offset)
+_TURNED_OFFSET = ("The offset of joint 2 has the wrong sign: when theta_2* is 0, x2 stands at +90° "
+                  "from x1.", _offset_back)
 _TWIST = ("The sign of alpha is wrong: turn z_{i-1} to z_i about x_i by the right-hand rule.",
           _twisted_back)
+_DEGREES = ("Angles are in radians: write sp.pi/2 for 90°.", _in_degrees)
 _SWAPPED = ("d and a have changed places: d is measured along z, a along x.", _lengths_swapped)
 _MOVED = ("a and alpha stand one row too low: that is the modified (Craig) table. In the standard "
           "one row i holds a_i and alpha_i.", _moved_down)
@@ -401,6 +414,8 @@ def _table(numbers: list[list[float]]) -> Verdict:
     places = [np.flatnonzero(np.abs(moved[:, i]).max(axis=0) > 1e-9).tolist() for i in range(3)]
     if misplaced := _misplaced(moved, places):
         return misplaced
+    if np.abs(tables[0][:, [0, 3]]).max() > 3 * pi:
+        return Verdict(NOT_YET, _DEGREES[0])
     arm = _arm_of(tables[0], [(revolute, prismatic)[place] for place, in places])
     backwards = [moved[0, i, place] * q < 0 for i, ((place,), q) in enumerate(
         zip(places, _POINTS[0].values()))]
@@ -412,11 +427,17 @@ def _table(numbers: list[list[float]]) -> Verdict:
                        praise="Twelve numbers, three of them variables.")
     if not verdict.ok or stands_as(arm, _EXAM):
         return verdict
-    hints = first_of((_OFFSET, _TWIST), lambda change: stands_as(
-        arm, _arm_of(_changed(change, 0, 0, 0))))
+    hints = first_of((_OFFSET, _TURNED_OFFSET, _TWIST), partial(_made, tables[0]))
     said, fault = _other_zero(arm)
     return Verdict(NOT_YET, " ".join(["The mechanism is right, but where theta_2* = 0 and d_3* = 0 "
                                       "it does not stand as in the view.", *hints, *said]), fault)
+
+
+def _made(rows: Rows, change: Callable[[Rows], Any]) -> bool:
+    """Whether the student's own cells show a slip: they are the view's but for that change."""
+    wrong = _changed(change, 0, 0, 0)
+    angles = np.exp(1j * rows[:, [0, 3]]), np.exp(1j * wrong[:, [0, 3]])
+    return np.allclose(*angles) and np.allclose(rows[:, 1:3], wrong[:, 1:3])
 
 
 def _begun(numbers: list[list[float]], gaps: list[str]) -> Verdict:
@@ -512,7 +533,7 @@ def _matrix_judge(links: slice, praise: str, slips: Sequence = ()) -> Judge:
         ("This is the modified (Craig) order, Rx Tx Rz Tz; the lecture's is Rz Tz Tx Rx.",
          lambda *q: _product(links, _rows(*q), "modified")),
         *((message, lambda *q, change=change: _product(links, _changed(change, *q)))
-          for message, change in (_OFFSET, _TWIST, _SWAPPED)),
+          for message, change in (_DEGREES, _OFFSET, _TURNED_OFFSET, _TWIST, _SWAPPED)),
     ]
     return expressions(_ENTRIES, right, _POINTS, constants=_LENGTHS, slips=known, praise=praise)
 

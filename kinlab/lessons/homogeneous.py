@@ -161,6 +161,7 @@ _CART_SLIPS = [
 JUDGES: dict[str, Judge] = {
     "homogeneous.1": function(
         _H, _H_CASES, entry=matrix_entry, slips=_H_SLIPS,
+        without="The task is to build the matrix yourself, from np.cos and np.sin.",
         praise="Rotation and origin stand side by side, and the last row makes room for both."),
     "homogeneous.2": expressions(
         ("x", "y"), _back, _H_CASES[1:], constants={}, slips=_BACK_SLIPS,

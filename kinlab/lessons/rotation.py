@@ -81,6 +81,8 @@ _CAMERA_SLIPS = [
     ("Your y axis points up; in the camera's image y points down.", _CAMERA * [-1, -1, 1]),
     ("Your y axis points up, and the frame is left-handed.", _CAMERA * [1, -1, 1]),
     ("Nothing is turned here: the camera would look up along z₀.", np.eye(3)),
+    ("All signs are turned round: each axis points the opposite way, and three opposite axes are a "
+     "left-handed frame.", -_CAMERA),
 ]
 
 JUDGES: dict[str, Judge] = {

@@ -259,7 +259,7 @@ _WAY_SLIPS = [
     degrees_slip(_BOTH_REACH, inf, subject="These"),
     ("The pairs have to be rows: each holds θ₁ and θ₂.", lambda q: meet(_BOTH_REACH, q.T)),
     ("Only the sign of θ₂ has changed; θ₁ has to make up for it.",
-     lambda q: np.allclose(q[1], q[0] * [1, -1], atol=0.02)),
+     lambda q: abs(q[0, 1]) > 0.02 and np.allclose(q[1], q[0] * [1, -1], atol=0.02)),
 ]
 
 JUDGES: dict[str, Judge] = {

@@ -302,6 +302,7 @@ _CAMERA_SLIPS = [
     ("The camera sees the part at p, but is not itself at the room's origin.", _camera(0, -1, 1)),
     ("All signs are turned round: this is where the part sees the robot.", _camera(-1, 1, -1)),
     ("This is where the robot sees the camera. Where is the part?", _camera(1, -1, 0)),
+    ("x and y have changed places.", lambda *numbers: _camera(1, -1, 1)(*numbers)[::-1]),
 ]
 
 # ---- Exercise 3: where must the frame be? ---------------------------------------------

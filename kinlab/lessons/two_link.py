@@ -3,13 +3,16 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from math import cos, degrees, pi, radians, sin
+from numbers import Real
 from typing import Any
 
 import numpy as np
 
 from ..answers.conditions import degrees_slip, exactly, meet, one_of_many
+from ..answers.given import is_stub, untouched
 from ..answers.judges import Judge, expressions, function
-from ..arms import transforms
+from ..answers.verdict import NOT_YET, Verdict
+from ..arms import inputs, transforms
 from .asked.two_link import PREDICTIONS
 from .views.two_link import both_methods, n_links
 
@@ -115,6 +118,8 @@ _TIP_SLIPS = [
      lambda lengths, angles: _sum(lengths[:-1], np.cumsum(angles)[:-1], sum(angles))),
     ("The direction of the last link is the sum of all angles.",
      lambda lengths, angles: _sum(lengths, np.cumsum(angles), angles[-1])),
+    ("phi is in degrees; give it in radians, as the angles come.",
+     lambda lengths, angles: _tip(lengths, angles) * [1, 1, degrees(1)]),
     ("x takes the cosine, y the sine.",
      lambda lengths, angles: _tip(lengths, angles)[[1, 0, 2]]),
 ]
@@ -147,6 +152,39 @@ _LEVEL_SLIPS = [
     ("It points along +x_0.", lambda q: not _points_back(q + [0, pi])),
 ]
 
+_HOW_MANY = {
+    1: "Where does P lie? It may be above x_0 or below it.",
+    4: "theta_1 decides theta_2, since their sum is 180°: count the values of theta_1.",
+    0: "You have just given one."}
+
+
+def _with_number(judge: Judge) -> Judge:
+    """A judge of the two angles, and of how many answers there are if that is given too."""
+    def judged(answer: Any) -> Verdict:
+        if untouched(answer) or not (isinstance(answer, (list, tuple)) and len(answer) == 2
+                                     and (np.ndim(answer[0]) or np.ndim(answer[1])
+                                          or (isinstance(answer[1], int) and is_stub(answer[0])))):
+            return judge(answer)
+        angles, number = answer
+        if is_stub(angles):
+            return Verdict(NOT_YET, "The two angles are still to do.")
+        verdict = judge(angles)
+        if not verdict.ok:
+            return verdict
+        if is_stub(number):
+            return Verdict(NOT_YET, "The two angles are right; how many answers there are is still "
+                                    "to do.")
+        if np.ndim(number) or not isinstance(number, Real) or number != 2:
+            said = ("The two angles are right. The number of answers, whole turns aside, is not "
+                    f"{inputs.brief(number)}.")
+            hint = next((hint for n, hint in _HOW_MANY.items() if np.ndim(number) == 0
+                         and number == n), "")
+            return Verdict(NOT_YET, f"{said} {hint}".rstrip())
+        return Verdict(verdict.word, "Two answers: link 2 is level and Q lies on the axis, with P "
+                                     "on either side of x_0.")
+    return judged
+
+
 JUDGES: dict[str, Judge] = {
     "two_link.1": function(
         _PQ, _PQ_CASES, entry=lambda index: f"{'PQ'[index[0]]}_{'xy'[index[1]]}",
@@ -158,8 +196,8 @@ JUDGES: dict[str, Judge] = {
         _tip, _TIP_CASES, entry=lambda index: ("x", "y", "phi")[index[0]], slips=_TIP_SLIPS,
         angles=[False, False, True],
         praise="It serves planar arms with any number of links."),
-    "two_link.4": one_of_many(
+    "two_link.4": _with_number(one_of_many(
         _two_angles, _LEVEL, slips=_LEVEL_SLIPS, parts=("theta_1", "theta_2"),
         praise="Link 2 is level and Q lies on the axis. There is a second answer, with P on the "
-               "other side of x_0."),
+               "other side of x_0.")),
 }

@@ -60,8 +60,19 @@ PLAIN_2 = sp.Matrix([[c2, 0, s2, a2 * c2], [s2, 0, -c2, a2 * s2], [0, 1, 0, L], 
 SWAPPED_2 = sp.Matrix([[-s2, 0, c2, -L * s2], [c2, 0, s2, L * c2], [0, 1, 0, a2], [0, 0, 0, 1]])
 
 HALF = sp.pi
+
+
+def in_degrees(theta, d, a, alpha):
+    """A standard link matrix whose degrees are taken for radians."""
+    c, s, ca, sa = sp.cos(theta), sp.sin(theta), sp.cos(alpha), sp.sin(alpha)
+    return sp.Matrix([[c, -s * ca, s * sa, a * c], [s, c * ca, -c * sa, a * s], [0, sa, ca, d],
+                      [0, 0, 0, 1]])
+
+
 # (exercise, answer, words of the praise)
 ALSO = [
+    ("dh_recipe.6", [radians(-210), 0.3, -0.5, radians(300)], "Four numbers out"),
+    ("dh_recipe.3", list(A_1), "A_1 turns"),
     ("dh_recipe.2", table(r3c0=0), "another tool frame"),
     ("dh_recipe.2", table(r1c0=t1 + HALF, r1c3=-RIGHT_ANGLE, r2c0=t2 - RIGHT_ANGLE), "x1 points"),
     ("dh_recipe.2", table(r1c3=-RIGHT_ANGLE, r2c0=-t2 - RIGHT_ANGLE, r2c1=-L,
@@ -77,6 +88,16 @@ ALSO = [
 
 # (exercise, answer, words of the message)
 WRONG = [
+    ("dh_recipe.6", [2.618, 0.3, -0.5, -1.047], "np.radians turns degrees"),
+    ("dh_recipe.6", [MEASURED[0], ..., ..., ...], "theta is right; d, a and alpha are"),
+    ("dh_recipe.2", table(r2c0=t2 - RIGHT_ANGLE), "The offset of joint 2 has the wrong sign"),
+    ("dh_recipe.2", table(r1c3=90, r2c0=t2 + 90, r2c3=90, r3c0=90), "write sp.pi/2 for 90"),
+    ("dh_recipe.2", TABLE[:2].tolist() + [[...] * 4], "for the frames of the view; theta of row"),
+    ("dh_recipe.3", A_1.tolist(), "Wrap it in sp.Matrix"),
+    ("dh_recipe.3", in_degrees(t1, d1, 0, 90), "write sp.pi/2 for 90°"),
+    ("dh_recipe.4", in_degrees(t2 + 90, L, a2, 90), "write sp.pi/2 for 90°"),
+    ("dh_recipe.4", A_2.subs(t2, t2 - sp.pi), "The offset of joint 2 has the wrong sign"),
+    ("dh_recipe.3", -A_1, "All signs are turned round"),
     ("dh_recipe.1", [{1, 2, 3, 4, 5}, {1, 2, 4}, {1, 4}], "Where does Ry(90°) take"),
     ("dh_recipe.1", [{1, 3, 4}, {1, 2, 4}, {1, 4}], "Rx(90°) leaves the x axis"),
     ("dh_recipe.1", [{1, 3, 4, 5}, {1, 2, 3, 4}, {1, 4}], "how near does it come to z0"),

@@ -4,6 +4,8 @@ from math import cos, sin
 import numpy as np
 import sympy as sp
 
+import kinlab as kl
+
 t, x, y, n = sp.symbols("theta o_x o_y n")
 c, s = sp.cos(t), sp.sin(t)
 
@@ -32,6 +34,14 @@ def cart(*order):
 
 right_cart = cart("phi", "d", "theta", "e")
 
+
+def cut(theta, o_x, o_y):
+    """An array that was begun with whole numbers keeps nothing else."""
+    T = np.array([[1, 0, 0], [0, 1, 0], [0, 0, 1]])
+    T[:] = H(theta, o_x, o_y)
+    return T
+
+
 RIGHT = {
     "homogeneous.1": H,
     "homogeneous.2": [-c * x - s * y, s * x - c * y],
@@ -41,6 +51,9 @@ RIGHT = {
 
 # (exercise, answer, words of the message)
 WRONG = [
+    ("homogeneous.1", lambda t, x, y: kl.homogeneous(kl.rotation_2d(t), [x, y]), "kinlab's own"),
+    ("homogeneous.1", cut, "Your array holds whole numbers"),
+    ("homogeneous.2", [-c * x - s * y, ...], "x is right; y is still to do."),
     ("homogeneous.1", lambda t, x, y: H(np.radians(t), x, y), "radians"),
     ("homogeneous.1", after(np.transpose), "This is the transpose"),
     ("homogeneous.1", lambda t, x, y: H(-t, x, y), "rotation is transposed"),

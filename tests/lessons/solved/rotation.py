@@ -18,8 +18,21 @@ RIGHT = {
     "rotation.5": CAMERA,
 }
 
+# (exercise, answer, words of the praise)
+ALSO = [
+    ("rotation.3", [[2], [-1]], "dot product"),
+    ("rotation.3", np.array([[2, -1]]), "dot product"),
+]
+
 # (exercise, answer, words of the message)
 WRONG = [
+    ("rotation.2", [[0.6, ...], [0.8, 0.6]], "row 1, column 2 is still to do"),
+    ("rotation.5", -CAMERA, "All signs are turned round"),
+    ("rotation.2", [[-0.6, 0.8], [-0.8, -0.6]], "All signs are turned round"),
+    ("rotation.3", [-1, 2], "in another order: asked are the x of c_1 and the y of c_1"),
+    ("rotation.4", [{1}], "two are missing"),
+    ("rotation.4", [set()], "three are missing"),
+    ("rotation.1", lambda t: np.round(turn(t), 3), "It looks rounded: return all digits"),
     ("rotation.1", lambda t: turn(radians(t)), "in radians; do not convert"),
     ("rotation.1", lambda t: turn(degrees(t)), "in radians already"),
     ("rotation.1", lambda t: turn(t).T, "transpose"),

@@ -16,6 +16,10 @@ RIGHT = {
     "start_here.5": WAYS,
 }
 
+# (exercise, answer, words of the praise)
+ALSO = [("start_here.2", [7 * pi / 3, 0.25, 0.45], "Radians"),
+        ("start_here.2", [[pi / 3], [0.25], [0.45]], "Radians")]
+
 # (exercise, answer, words of the message)
 WRONG = [
     *((old, *case[1:]) for old, new in notation.OLD_NAMES.items()
@@ -35,6 +39,12 @@ WRONG = [
     ("start_here.2", [pi / 3, 0.25, 45], "less than half a metre"),
     ("start_here.2", [pi / 3, 0.25, 0.045], "100 cm"),
     ("start_here.2", [pi / 3, 0.45, 0.25], "changed places"),
+    ("start_here.2", [1.047, 0.25, 0.45], "np.radians turns degrees into all of them"),
+    ("start_here.2", [pi / 3, ..., ...], "q[0] is right; q[1] and q[2] are still to do."),
+    ("start_here.2", [60, ..., ...], "still in degrees: use np.radians. Besides, q[1] and"),
+    ("start_here.5", [[0, 0], [0, 0]], "Pair 1 puts the tip at (2.000, 0.000) m"),
+    ("start_here.5", [WAYS[0], ...], "pair 1 is right; pair 2 is still to do."),
+    ("start_here.5", [[..., ...], [0, 0]], "Pair 2 puts the tip at (2.000, 0.000) m"),
     ("start_here.2", [1.0, 0.25, 0.45], "q[0] is not 1."),
     ("start_here.2", [pi / 3, 0.25], "expected three numbers; you gave two numbers"),
     ("start_here.2", ["60 deg", 0.25, 0.45], "plain numbers"),

@@ -11,8 +11,22 @@ RIGHT = {
     "translation.3": np.array([1, 2]),
 }
 
+# (exercise, answer, words of the praise)
+ALSO = [
+    ("translation.1", [np.array([[1], [3]]), [-2, 3], [-3, 1]], "Add on the way"),
+    ("translation.2", sp.Matrix([p_x + k_x - b_x, p_y + k_y - b_y]), "Up into the room"),
+    ("translation.3", [[1], [2]], "midway"),
+]
+
 # (exercise, answer, words of the message)
 WRONG = [
+    ("translation.1", [[1, 3], ..., ...], "c_0 is right; d_1 and o_10 are still to do."),
+    ("translation.1", [[1, 4], ..., ...], "Besides, d_1 and o_10 are still to do."),
+    ("translation.1", [[1, ...], [-2, 3], [-3, 1]], "the y of c_0 is still to do"),
+    ("translation.1", [[1, 3], [-2, 3], [-4, 1]], "the x of o_10 is not -4"),
+    ("translation.1", [[1, 3], [-2, 3], [-3, 1, 0]], "o_10: expected two numbers; you gave three"),
+    ("translation.2", [p_x + k_x - b_x, ...], "x is right; y is still to do."),
+    ("translation.2", [p_y + k_y - b_y, p_x + k_x - b_x], "x and y have changed places"),
     ("translation.1", [[-5, 5], [4, 1], [-3, 1]], "Sum and difference have changed places"),
     ("translation.1", [[-5, 5], [-2, 3], [-3, 1]], "o₁⁰ is added"),
     ("translation.1", [[1, 3], [4, 1], [-3, 1]], "o₁⁰ is subtracted"),

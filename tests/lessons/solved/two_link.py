@@ -52,8 +52,25 @@ RIGHT = {
     "two_link.4": np.radians([60, 120]),
 }
 
+# (exercise, answer, words of the praise)
+ALSO = [
+    ("two_link.4", [np.radians([60, 120]), 2], "Two answers"),
+    ("two_link.4", (np.radians([-60, 240]), 2), "Two answers"),
+    ("two_link.4", np.radians([[60], [120]]), "Link 2 is level"),
+    ("two_link.3", lambda lengths, a: tip(lengths, a) + [0, 0, 2 * pi], "any number of links"),
+]
+
 # (exercise, answer, words of the message)
 WRONG = [
+    ("two_link.3", lambda links, a: tip(links, a) * [1, 1, 180 / pi], "phi is in degrees"),
+    ("two_link.4", [np.radians([60, 120]), 1], "is not 1. Where does P lie?"),
+    ("two_link.4", [np.radians([60, 120]), ...], "how many answers there are is still to do"),
+    ("two_link.4", [np.radians([60, 180]), 2], "counts from link 1"),
+    ("two_link.4", [..., 2], "The two angles are still to do"),
+    ("two_link.4", [pi / 3, ...], "theta_2 is still to do"),
+    ("two_link.4", np.radians([60, 120, 0]), "two angles, theta_1 and theta_2; you gave three"),
+    ("two_link.1", after(lambda PQ: -PQ), "All signs are turned round"),
+    ("two_link.2", [Q_X - h * s12, ...], "x is right; y is still to do."),
     ("two_link.1", lambda a, b, p, q: positions(*np.radians([a, b]), p, q), "radians"),
     ("two_link.1", unturned, "turned by theta_1 + theta_2"),
     ("two_link.1", lambda *case: positions(*case, second=cos), "takes the sine"),
