@@ -112,8 +112,8 @@ _APPROACH = [
 _ORDER = Choice(
     ask="Each of the four motions goes along or about an axis of the frame that moves. On which "
         "side of the first matrix does that of the second motion stand?",
-    options={"on its right": "",
-             "on its left": "On the left stands a motion about fixed axes.",
+    options={"on its left": "On the left stands a motion about fixed axes.",
+             "on its right": "",
              "either: the product is the same": "Two such matrices need not change places."},
     right="on its right",
     why="A motion about the moving frame's own axes multiplies on the right, so the product reads "
@@ -122,10 +122,10 @@ _ORDER = Choice(
 _FIXED = Choice(
     ask="Someone reads the axes as fixed axes of frame k−1. A motion about a fixed axis multiplies "
         "on the left. What becomes of the product?",
-    options={"the factors stand in reverse order": "",
-             "it is the inverse": "In the inverse the motions go backwards as well, by the "
+    options={"it is the inverse": "In the inverse the motions go backwards as well, by the "
                                   "opposite amounts.",
              "it is the transpose": "Each factor stays as it is; only their order changes.",
+             "the factors stand in reverse order": "",
              "it stays the same": "Turns about x and z do not change places."},
     right="the factors stand in reverse order",
     why="The last motion stands on the far left: that is the order of the modified (Craig) table.")
@@ -142,17 +142,17 @@ _INVERSE = Choice(
 _BRACKET = Choice(
     ask="The first entry of the product becomes C₁ (C₂C₃ − S₂S₃). Of which angle is the bracket "
         "the cosine?",
-    options={"θ₂ + θ₃": "", "θ₂ − θ₃": "That would be C₂C₃ + S₂S₃.",
+    options={"θ₂ − θ₃": "That would be C₂C₃ + S₂S₃.", "θ₂ + θ₃": "",
              "θ₂ · θ₃": "Angles of turns add up; they are not multiplied."},
     right="θ₂ + θ₃",
     why="The axes of joints 2 and 3 are parallel, so their turns add up.")
 
 _CIRCLE = Choice(
     ask="Only θ₄ changes. Seen from frame 3, the wrist's, on which curve does the tip run?",
-    options={"a circle in the x₃y₃ plane": "",
-             "a circle in the x₃z₃ plane": "Joint 4 turns about z₃, and nothing moves along that "
+    options={"a circle in the x₃z₃ plane": "Joint 4 turns about z₃, and nothing moves along that "
                                            "axis.",
              "a circle about the base": "That is what joint 1 does.",
+             "a circle in the x₃y₃ plane": "",
              "a line": "Joint 4 turns; it does not slide."},
     right="a circle in the x₃y₃ plane",
     why="The tip is 129.5 mm from the axis z₃ and stays at one height along it.")
