@@ -63,7 +63,7 @@ _ELBOW = [
 
 def _beyond(x: float, y: float, theta_1: float) -> Mark:
     return Mark(
-        ask=f"The tool shall come as near as it can to the point ({x:g}, {y:g}), which is 3 m "
+        ask=f"The tool must come as near as it can to the point ({x:g}, {y:g}), which is 3 m "
             "away. Both links are 1 m long. Where will the tool stop?".replace("-", "−"),
         why="Out of reach the best pose is the stretched arm, 2 m long, straight towards the "
             "point: two thirds of the way.",
@@ -232,7 +232,7 @@ _SHAPES = Number(
            (1, "The elbow can be on either side.")])
 
 _TILT = Choice(
-    ask="The tool of the Alpha II shall be at (300, 0, 80) mm and point down, but tilted by 20° to "
+    ask="The tool of the Alpha II must be at (300, 0, 80) mm and point down, but tilted by 20° to "
         "the side, about x: along z*. Which of its joints would have to do that?",
     why="Shoulder, elbow and tool pitch keep the tool in the upright plane of the arm, and the "
         "roll turns it about itself: 20° are missing.",
