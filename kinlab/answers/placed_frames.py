@@ -79,6 +79,20 @@ def examine_frames(frames: Sequence, reference: Arm, q: Any = None) -> Placement
     >>> [link.a for link in examine_frames(frames, robots.two_link(), [0, 0]).arm.links]
     [1.0, 1.0]
     """
+    drawing = _drawing(frames, reference, q)
+    fault = _first_fault(drawing, len(drawing.z))
+    return (Placement(NOT_YET, fault) if fault else
+            Placement(CORRECT, "All frames keep the rules.", arm=_table(drawing)))
+
+
+def first_fault(frames: Sequence, reference: Arm, q: Any = None) -> str:
+    """The first broken rule of frames 0, 1, ..., where the last ones are still to come, or ""."""
+    frames = [*frames]
+    missing = reference.n + 1 - len(frames)
+    return _first_fault(_drawing(frames + frames[-1:] * missing, reference, q), len(frames))
+
+
+def _drawing(frames: Sequence, reference: Arm, q: Any) -> _Drawing:
     q = joint_array(reference, getattr(reference, "home", None) if q is None else q)
     if q.ndim > 1:
         raise ValueError(f"q: expected one pose of {reference.n} joint values, got {q.shape}; "
@@ -86,13 +100,17 @@ def examine_frames(frames: Sequence, reference: Arm, q: Any = None) -> Placement
     if reference.n < len(reference.links):
         reference = joints_only(reference)
     z, x, origins = _vectors(frames, reference.n)
-    drawing = _Drawing(z, x, origins, np.zeros(len(z), dtype=bool), reference, q)
-    for i in range(reference.n + 1):
+    return _Drawing(z, x, origins, np.zeros(len(z), dtype=bool), reference, q)
+
+
+def _first_fault(drawing: _Drawing, count: int) -> str:
+    """What is wrong with the first of so many frames that breaks a rule, or ""."""
+    for i in range(count):
         for check, settle in ((_own, _settle_on_axis), (_towards, _settle_across)):
             if fault := check(drawing, i):
-                return Placement(NOT_YET, fault)
+                return fault
             settle(drawing, i)
-    return Placement(CORRECT, "All frames keep the rules.", arm=_table(drawing))
+    return ""
 
 
 @dataclass(frozen=True, eq=False)

@@ -10,14 +10,14 @@ from typing import Any
 
 import numpy as np
 
-from ..answers.given import untouched
+from ..answers.given import is_stub, length, unfinished, untouched
 from ..answers.judges import Judge, choices, evaluated, expressions, first_of, values
 from ..answers.matrices import link_matrix, matrix_place
-from ..answers.placed_frames import examine_frames
+from ..answers.placed_frames import examine_frames, first_fault
 from ..answers.prediction import Asked, Choice, Direction, Mark, Several, Signs
 from ..answers.table_judge import examined, with_columns
 from ..answers.verdict import BLANK, CORRECT, NOT_YET, Fault, Verdict
-from ..answers.words import to_do
+from ..answers.words import counted, listed, to_do
 from ..arms import robots
 from ..arms.arm import Arm
 from ..arms.kinematics import forward_kinematics, link_frames
@@ -564,6 +564,8 @@ def _frames(answer: Any) -> Verdict:
     if untouched(answer):
         return Verdict(BLANK, "Replace every ... by three numbers.")
     try:
+        if missing := _still_to_place(answer):
+            return _placed_so_far(answer, missing)
         placement = examine_frames(answer, _EXAM)
     except ValueError as error:
         return Verdict(NOT_YET, f"{error}.")
@@ -580,6 +582,25 @@ def _frames(answer: Any) -> Verdict:
                                 "turn z0, z1 or z2 round, and see which x axes may stay.")
     return Verdict(CORRECT, " ".join([placement.message, *(
         f"z{i} points the other way, so joint {i + 1} counts backwards." for i in turned)]))
+
+
+def _placed_so_far(answer: Any, missing: Sequence[str]) -> Verdict:
+    """What there is to say of the frames before the first that is still to do."""
+    done = answer[:int(missing[0][1:])]
+    fault = first_fault(done, _EXAM) if done else ""
+    names = [f"frame {i}" for i in range(len(done))]
+    praise = [f"{counted(len(done), 'frame').capitalize()} placed well so far: {listed(names)}."]
+    return Verdict(NOT_YET, " ".join([*([fault] if fault else praise * bool(done)),
+                                      f"Still to do: {listed(missing)}."]))
+
+
+def _still_to_place(answer: Any) -> list[str]:
+    """Names of the axes and origins that are stubs, where the answer has four frames."""
+    if length(answer) != 4 or not all(is_stub(frame) or length(frame) == 3 for frame in answer):
+        return []
+    return [f"{name}{i}" for i, frame in enumerate(answer)
+            for name, part in zip("zxO", [frame] * 3 if is_stub(frame) else frame)
+            if unfinished(part)]
 
 
 JUDGES: dict[str, Judge] = {
