@@ -33,7 +33,6 @@ from typing import Any, BinaryIO, NoReturn, TypeVar
 MOST_PRINTED, MOST_LINES = 2000, 12  # characters and lines
 MOST_MEMORY = 2 * 1024**3  # bytes that an answer may take beside what the process has
 _STOPPING = 30.0  # seconds for which a thread that does not stop is told so again
-_INPUT = builtins.input
 
 Result = TypeVar("Result")
 
@@ -113,8 +112,7 @@ def _be_the_copy(there: Connection, printed: BinaryIO, work: Callable[[], Any]) 
         _limit_memory()
         for stream in (1, 2):
             os.dup2(printed.fileno(), stream)
-        sys.stdin = None  # nobody answers while a check runs
-        builtins.input = _INPUT  # and not what a notebook has put in its place
+        builtins.input = _no_input
         sys.stdout = sys.stderr = _Page(lambda text: os.write(1, text.encode(errors="replace")))
         there.send(work())
     finally:
@@ -129,6 +127,10 @@ def _limit_memory() -> None:
             taken = int(sizes.read().split()[0]) * resource.getpagesize()
         _, most = resource.getrlimit(resource.RLIMIT_AS)
         resource.setrlimit(resource.RLIMIT_AS, (taken + MOST_MEMORY, most))
+
+
+def _no_input(*_: Any) -> NoReturn:
+    raise EOFError("nobody answers input() while a check runs")
 
 
 # ---- In a thread ---------------------------------------------------------------------------------
