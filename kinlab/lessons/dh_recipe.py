@@ -10,22 +10,14 @@ from typing import Any
 
 import numpy as np
 
-<<<<<<< HEAD
 from ..answers.given import is_stub, length, unfinished, untouched
-=======
-from ..answers.given import unfinished, untouched
->>>>>>> 0816312 (Say what is new in the checks, and take frames that are not all placed yet)
 from ..answers.judges import Judge, choices, evaluated, expressions, first_of, values
 from ..answers.matrices import link_matrix, matrix_place
 from ..answers.placed_frames import examine_frames, first_fault
 from ..answers.prediction import Asked, Choice, Direction, Mark, Several, Signs
 from ..answers.table_judge import examined, with_columns
 from ..answers.verdict import BLANK, CORRECT, NOT_YET, Fault, Verdict
-<<<<<<< HEAD
 from ..answers.words import counted, listed, to_do
-=======
-from ..answers.words import counted, to_do
->>>>>>> 0816312 (Say what is new in the checks, and take frames that are not all placed yet)
 from ..arms import robots
 from ..arms.arm import Arm
 from ..arms.kinematics import forward_kinematics, link_frames
@@ -571,13 +563,6 @@ _MEASURE_SLIPS = [
 def _frames(answer: Any) -> Verdict:
     if untouched(answer):
         return Verdict(BLANK, "Replace every ... by three numbers.")
-    if isinstance(answer, (list, tuple, np.ndarray)):
-        if len(answer) != 4:
-            return Verdict(NOT_YET, "Expected four frames, frame 0 to frame 3; you gave "
-                                    f"{counted(len(answer), 'frame')}.")
-        if begun := [f"frame {i}" for i, frame in enumerate(answer) if unfinished(frame)]:
-            return Verdict(NOT_YET, f"Your answer: {to_do(begun)}. The rules join each frame to "
-                                    "the one before it, so they are judged together.")
     try:
         if missing := _still_to_place(answer):
             return _placed_so_far(answer, missing)

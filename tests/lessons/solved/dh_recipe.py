@@ -160,7 +160,6 @@ WRONG = [
     ("dh_recipe.7", frames(1, origin=(0, 0, 0.6)), "0.1 m away from the axis of joint 2"),
     ("dh_recipe.7", frames(1, z=X), "z1 must lie along the axis of joint 2"),
     ("dh_recipe.7", frames(3, x=X), "x3 and z3 are 0° apart"),
-<<<<<<< HEAD
     ("dh_recipe.7", FRAMES[:3], "expected 4 frames"),
     ("dh_recipe.7", frames(2, origin=...),
      "Two frames placed well so far: frame 0 and frame 1. Still to do: O2."),
@@ -168,10 +167,6 @@ WRONG = [
      "Still to do: z1, x1, O1, z2 and 3 more."),
     ("dh_recipe.7", [*frames(1, x=Z)[:3], ...], "Rule 1: x1 is not perpendicular to z0"),
     ("dh_recipe.7", [(..., X, (0, 0, 0)), *FRAMES[1:]], "Still to do: z0."),
-=======
-    ("dh_recipe.7", FRAMES[:3], "Expected four frames, frame 0 to frame 3; you gave three frames"),
-    ("dh_recipe.7", frames(2, origin=...), "frame 2 is still to do"),
->>>>>>> 0816312 (Say what is new in the checks, and take frames that are not all placed yet)
     ("dh_recipe.7", frames(2, x=(0, 0, 0)), "expected a direction for x"),
 ]
 
