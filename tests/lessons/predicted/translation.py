@@ -24,7 +24,7 @@ PREDICTED = {
     "translation.carried": [
         Held([0.5, 1.5, 0], [([1, 2, 0], "measured from frame 0"), ([2, 2.5, 0], "rides along"),
                              ([1.5, 2, 0], "not how far it went")]),
-        Held([1.5, 0.5, 0], [([1, 2, 0], "measured from frame 0"), ([2.5, 1, 0], "added the slide")]),
+        Held([1.5, 0.5, 0], [([1, 2, 0], "from frame 0"), ([2.5, 1, 0], "added the slide")]),
         Held([0, 1, 0], [([1, 2, 0], "measured from frame 0"), ([1, 1.5, 0], "added the slide")])],
     "translation.rate": [
         Held(["a", "b", "c"], [(["a"], "Far away or near"), (["b", "c"], "holds for it"),
