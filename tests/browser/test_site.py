@@ -47,9 +47,11 @@ def visit(browser, course_site, watched):
 def move_each(page):
     """Press an arrow key on the first slider of each view; how many pictures answer.
 
-    A prediction is committed first.
+    A prediction is committed first, and a folded answer is opened.
     """
     answered = 0
+    page.evaluate("document.querySelectorAll('details').forEach(one => { one.open = true; })")
+    page.evaluate(SETTLE)
     for view in page.locator(".kl-view:has(.kl-picture svg)").all():
         if view.get_by_role("button", name="I do not know").count():
             view.get_by_role("button", name="I do not know").click()
