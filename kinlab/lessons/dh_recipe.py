@@ -180,7 +180,7 @@ _ZEROS = [
 ]
 
 _PARALLEL, _MEET, _NOTHING = ("They are parallel.", "They meet, or are one line.",
-                              "Nothing: it says where frame i was put.")
+                              "Nothing: it says how the frames were put.")
 
 
 def _says(ask: str, right: str, why: str, **said: str) -> Choice:
@@ -289,7 +289,7 @@ _LAST_COLUMN = [
             dict(theta=180, d=0.5, a=0.8), a=-0.8),
 ]
 
-_ZERO_OR_NOT = {"·": "is not zero", "0": "is zero for every θ and d"}
+_ZERO_OR_NOT = {"·": "need not be zero", "0": "is zero for every θ and d"}
 
 
 def _pattern(ask: str, why: str, right: Sequence[str], **start: float) -> Signs:

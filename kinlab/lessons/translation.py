@@ -145,7 +145,8 @@ def _origin(c_1: tuple[float, float], place: tuple[float, float], why: str) -> M
             f"c¹ = {_pair(*c_1)}. Where is its origin then?",
         why=why, start=start, shows={"o_x": place[0], "o_y": place[1]}, of="frame-1-x",
         tolerance=0.25, slips=[
-            ((1 + x, 2 + y, 0), "You added c¹; to get to the origin, go back from c: c⁰ − c¹."),
+            *[((1 + x, 2 + y, 0), "You added c¹; to get to the origin, go back from c: c⁰ − c¹.")
+              ] * any(c_1),
             ((x, y, 0), "That is c¹, measured from frame 0; it must be measured from frame 1.")])
 
 

@@ -173,7 +173,7 @@ _MEET = Choice(
         "position of O₂ is (0, 0, d₁).",
     options={"1, 2 and 3": "", "3, 4 and 5": "The three pitches are parallel: they never meet.",
              "4, 5 and 6": "Axes 5 and 6 meet at the wrist, but axis 4 is parallel to axis 5.",
-             "2, 5 and 6": "Axes 2 and 6 lie in one line at soft home only."},
+             "2, 5 and 6": "Axes 2 and 6 lie in one line at soft home, not in every pose."},
     right="1, 2 and 3", start=_at(110, -70, 120, -60, 60, 0), shows=_at(60, -60, 120, -50, 90, 0))
 
 

@@ -67,7 +67,7 @@ def _beyond(x: float, y: float, theta_1: float) -> Mark:
             "away. Both links are 1 m long. Where will the tool stop?".replace("-", "−"),
         why="Out of reach the best pose is the stretched arm, 2 m long, straight towards the "
             "point: two thirds of the way.",
-        start={"theta_1": 10, "theta_2": 60}, shows={"theta_1": theta_1, "theta_2": 0},
+        start={"theta_1": -30, "theta_2": 60}, shows={"theta_1": theta_1, "theta_2": 0},
         tolerance=0.15,
         slips=[((x / 3, y / 3, 0), "That is 1 m out: one link. The arm has two."),
                ((x, y, 0), "That is the point itself, out of reach.")])
@@ -87,8 +87,7 @@ _LINEAR = Choice(
              "about a hundred times": ""},
     right="about a hundred times")
 
-_LINES = {"link 1": "Joint 1 turns about the base, joint 2 about the elbow: the tool is at the end "
-          "of neither with link 1 between.",
+_LINES = {"link 1": "Link 1 leads from the base to the elbow: the tool is not on its line.",
           "link 2": "Link 2 joins the tool to the elbow, not to the base.",
           "the line from the base to the tool": "That line joins the tool to joint 1, not to "
           "joint 2.", "the x axis": "The arrow turns with the arm; the x axis does not."}
@@ -198,6 +197,7 @@ _STOP = Mark(
         "tool come to rest?",
     why="Stretched, straight towards the target, on the circle of 2 m: (1.79, 0.89), 0.24 m short.",
     of="damped-tool", start={"step": 0}, shows={"step": 15}, tolerance=0.08,
+    begin=(0.5, 1, 0),
     slips=[((2, 1, 0), "That is the target, 2.24 m away: the arm is 2 m long.")])
 
 # ---- Section 6: more joints, whole poses ------------------------------------------------

@@ -113,13 +113,14 @@ _GIVEN = _ZERO | {"theta_2": 90, "theta_3": -90}
 _REGULAR = dict(zip(_ZERO, (30, 40, -20, 50, 60, 70)))
 
 
-def _given(theta_2: float, theta_3: float, why: str, slips: list) -> Mark:
+def _given(theta_2: float, theta_3: float, why: str, slips: list,
+           begin: tuple[float, float, float] | None = None) -> Mark:
     return Mark(
         ask="You see the arm at q = 0, from the front: z₂ and z₃ point towards you. θ₂ turns to "
             f"{said(theta_2)}°, θ₃ to {said(theta_3)}°, the others stay at 0°. a₂ = 0.5 m, d₄ = d₆ "
             "= 1 m. Where is the tip then?",
         why=why, start=_ZERO, shows={"theta_2": theta_2, "theta_3": theta_3}, of="tip", axes="xz",
-        seen="front", tolerance=0.3, slips=slips)
+        seen="front", tolerance=0.3, begin=begin, slips=slips)
 
 
 def _tool(theta_5: float, degrees: float, way: str) -> Direction:
@@ -193,12 +194,12 @@ def _sum(phi: float, psi: float) -> Direction:
     return Direction(
         ask=f"φ = {said(phi)}° and ψ = {said(psi)}°. θ goes from 50° to 0°. Which way will x "
             "point, in degrees from x₀?",
-        why="At θ = 0 both turns are about z₀ and add up: "
-            f"{said(phi)}° + {said(psi)}° = {said(phi + psi)}°. Only their sum can be seen.",
+        why=f"At θ = 0 both turns are about z₀ and add up: {said(phi)}° {'−' if psi < 0 else '+'} "
+            f"{said(abs(psi))}° = {said(phi + psi)}°. Only their sum can be seen.",
         start={"phi": phi, "theta": 50, "psi": psi}, shows={"theta": 0}, of="frame--x",
         about="z", seen="top", tolerance=10,
         slips=[(phi, "That is φ alone. ψ turns about the same axis once θ is 0."),
-               (phi - psi, "The two turns go the same way: their sum counts."),
+               (phi - psi, "Both turns are about z₀: add them, each with its own sign."),
                (psi, "That is ψ alone; φ came first, about the same axis.")])
 
 
@@ -256,7 +257,8 @@ PREDICTIONS: dict[str, Asked] = {
                 ((0.0, 0.5, 2.5), "That is the arm with θ₃ = −90°.")]),
         _given(45, -45, "The upper arm rises at 45°: 0.35 m out and 0.35 m up. θ₃ takes the turn "
                         "back, so forearm and tool point straight up.",
-               [((0.0, 0.5, 2.5), "The upper arm stands only half way up, at 45°.")])]),
+               [((0.0, 0.5, 2.5), "The upper arm stands only half way up, at 45°.")],
+               begin=(1.0, 0.5, 1.0))]),
     "n_link.tool": Asked(six_view, [
         _tool(90, -90, "the left, −x₀"), _tool(-90, 90, "the right, +x₀"),
         _tool(45, -45, "half way between up and −x₀")]),

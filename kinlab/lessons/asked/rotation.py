@@ -134,7 +134,7 @@ def _summed(first: float, second: float) -> Direction:
             f"{_signed(second) if second > 0 else f'({_signed(second)})'} = "
             f"{_signed(first + second)} from x₀.",
         start={"theta_1": 0, "theta_2": 0}, shows={"theta_1": first, "theta_2": second},
-        of="frame-2-x", begin=-90.0,
+        of="frame-2-x", begin=-135.0,
         slips=[(first, "There x₁ points. Frame 2 is turned from there."),
                (second, "θ₂ is measured from x₁, not from x₀."),
                (first - second, "That is θ₁ − θ₂. A turn goes on from where the frame is.")])

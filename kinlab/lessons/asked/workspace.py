@@ -27,9 +27,10 @@ _TURN = [
              "by 85°.",
          of="point-Q", start={"theta_1": 35, "theta_2": 60, "swept": 0}, shows={"theta_1": 120},
          tolerance=0.15,
-         slips=[((0.1, 1.466, 0), "That is the elbow turned by 85° and link 2 kept level: all of "
+         slips=[((-0.5523, 1.4637, 0), "That is link 1 turned by 85°, and link 2 as it was: all of "
                  "the arm turns."),
-                ((-0.8, 1.386, 0), "Q was at 57° before, not at 35°: it goes on from there.")]),
+                ((-0.7, 1.2124, 0), "That is at 120°. Q was at 57° before, not at 35°: it goes on "
+                 "from there.")]),
     Mark(ask="θ₁ = 35°. Joint 2 alone folds the arm, from θ₂ = 60° to θ₂ = 180°. Where will the "
              "tool Q be?",
          why="Folded, link 2 lies back over link 1: Q is 1 − 0.6 = 0.4 m from O, along link 1.",
@@ -80,7 +81,8 @@ _CORNERS = [
          of="point-Q", start={"s_1": 50, "s_2": 40}, shows={"s_1": 0, "s_2": 100}, tolerance=0.12,
          slips=[((1.5035, -0.5472, 0), "That is s₂ = 0 %, the arm stretched: θ₂ = 0°."),
                 ((-0.5386, 0.1752, 0), "That is s₁ = 100 %: θ₁ = 130°.")]),
-    Mark(ask="Now Q with s₁ = 100 % and s₂ = 0 %: where will it be?",
+    Mark(ask="θ₁ goes from −20° to 130°, θ₂ from 0° to 150°. Now s₁ = 100 % and s₂ = 0 %: where "
+             "will Q be?",
          why="θ₁ is at 130° and θ₂ at 0°: the arm is stretched, 1.6 m long.",
          of="point-Q", start={"s_1": 50, "s_2": 40}, shows={"s_1": 100, "s_2": 0}, tolerance=0.12,
          slips=[((1.5035, -0.5472, 0), "That is s₁ = 0 %: θ₁ = −20°."),
@@ -211,7 +213,8 @@ _CIRCLE = [
          tolerance=0.05,
          slips=[((1.6, 0, 0), "There half of the circle is outside."),
                 ((1.8, 0, 0), "That is the farthest Q, with one direction only.")]),
-    Mark(ask="And inwards: where is the nearest Q at which the tool can point in every direction?",
+    Mark(ask="The tool is 0.2 m long, and the pale ring goes from 0.4 to 1.6 m. Q comes in along "
+             "x. Where is the nearest place at which the tool can point in every direction?",
          why="At r = 0.4 + 0.2 = 0.6 m the circle touches the hole from outside.",
          of="point-Q", axes="x", start={"r": 0.9, "phi": 50}, shows={"r": 0.6, "phi": 0},
          tolerance=0.05,

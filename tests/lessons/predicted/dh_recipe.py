@@ -61,7 +61,7 @@ def pattern(**fixed):
 
 
 PARALLEL, MEET, NOTHING = ("They are parallel.", "They meet, or are one line.",
-                           "Nothing: it says where frame i was put.")
+                           "Nothing: it says how the frames were put.")
 
 PREDICTED = {
     "dh_recipe.twist": [twist(0, 90, "x", 0), twist(0, -90, "x", 180), twist(90, 90, "y", -90)],

@@ -64,5 +64,5 @@ PREDICTED = {
         Held([609.6, 0, 373.4], [((609.6, 0, 602), "the tip"), ((760, 0, 500), "away")])],
     "intelledex.meet": [Held("1, 2 and 3", [("3, 4 and 5", "parallel"),
                                             ("4, 5 and 6", "parallel"),
-                                            ("2, 5 and 6", "soft home only")])],
+                                            ("2, 5 and 6", "not in every pose")])],
 }

@@ -63,7 +63,7 @@ PREDICTED = {
     "inverse.linear": [Held("about a hundred times", [("about ten times", "faster"),
                                                       ("as large as before", "no step")])],
     "inverse.columns": [
-        Held("link 2", [("link 1", "about the elbow"), ("the x axis", "turns with the arm")]),
+        Held("link 2", [("link 1", "not on its line"), ("the x axis", "turns with the arm")]),
         Held("the line from the base to the tool", [("link 2", "not to the base"),
                                                     ("the x axis", "turns with the arm")]),
         Held("the arrows lie in one line, the ellipse is flat",

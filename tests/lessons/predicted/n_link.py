@@ -93,7 +93,7 @@ PREDICTED = {
     "n_link.ends": [Held(axis_4(theta_3), [(-axis_4(theta_3), "the other side"), (150, "off")])
                     for theta_3 in (-20, -135)],
     "n_link.zyz": [Held(x_turn(phi, psi), [(phi, "That is φ alone"),
-                                           (phi - psi, "their sum counts")])
+                                           (phi - psi, "each with its own sign")])
                    for phi, psi in ((40, 30), (110, -30), (-50, 20))],
     "n_link.base": [Held(["φ"], [(["φ", "ψ"], "the tool's own z"), (["φ", "θ"], "angle between"),
                                  ([], "the first turn")])],

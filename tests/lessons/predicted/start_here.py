@@ -41,9 +41,9 @@ PREDICTED = {
         Held(-90, [(45, "as the base sees it"), (90, "to the other side"),
                    (0, "both links point up")])],
     "start_here.ways": [
-        Held(TWO, [(ONE, "Mirror the arm"), (MANY, "meet in two points")]),
+        Held(TWO, [(NONE, "1.41 m"), (ONE, "Mirror the arm"), (MANY, "meet in two points")]),
         Held(ONE, [(TWO, "Try to bend"), (NONE, "Stretch")]),
-        Held(NONE, [(ONE, "How far"), (MANY, "The answer: none.")]),
+        Held(NONE, [(ONE, "How far"), (MANY, "How far")]),
         Held(MANY, [(NONE, "Fold the arm."), (TWO, "then turn it")])],
     "start_here.pointing": [
         Held(0, [(-90, "measured from the first link"), (90, "where the first link points")]),

@@ -37,7 +37,8 @@ PREDICTED = {
                                                 ("half a ring", "all the way round"),
                                                 ("two circles", "every angle")])],
     "workspace.turn": [
-        Held(tool(120, 60), [((-0.8, 1.386, 0), "57°"), (tool(35, 60), "away")]),
+        Held(tool(120, 60), [(tool(120, 0, 1.4, 0), "57°"), (tool(35, 60), "away"),
+                             (tool(120, 95 - 120), "all of the arm turns")]),
         Held(tool(35, 180), [(tool(35, 0), "stretched"), ((0, 0, 0), "shorter")])],
     "workspace.fold": [
         Held(1 - 0.6, [(0, "too short"), (1.6, "how far it reaches"), (-0.4, "too little")]),
