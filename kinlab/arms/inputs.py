@@ -220,7 +220,10 @@ def brief(value: Any, most: int = 60) -> str:
     """The value as it would be typed, shortened to fit a sentence."""
     if isinstance(value, str | bytes | list | tuple):
         value = value[:10 * most]  # of the rest nothing would be seen
-    text = " ".join(repr(value).split())
+    try:
+        text = " ".join(repr(value).split())
+    except ValueError:  # Python writes out no whole number of more than 4300 digits
+        return f"a value of type {type(value).__name__} that is too long to show"
     return text if len(text) <= most else text[: most - 3] + "..."
 
 

@@ -259,3 +259,9 @@ def test_rows_without_names_are_refused_with_an_example(rows):
         kl.Arm(rows)
     with pytest.raises(ValueError, match="as row 2; "):
         kl.Arm([kl.revolute(), *rows])
+
+
+def test_a_number_too_long_to_write_is_said_to_be_that():
+    with pytest.raises(ValueError, match=r"q: expected a number, got a value of type int that is "
+                                         r"too long to show"):
+        inputs.number("q", 10**5000)
