@@ -28,7 +28,6 @@ VIEWS = {robot.__name__: lambda robot=robot: kl.ArmView(
     "both methods": LESSONS.two_link.both_methods,
     "n links": lambda: LESSONS.two_link.n_links(4),
     "parameters": lambda: LESSONS.dh_recipe.parameters_view(kl.robots.exam_2018(), 2, EXAM),
-    "motions": lambda: LESSONS.dh_recipe.motions_view(kl.robots.exam_2018(), 2, EXAM),
     "stages": lambda: kl.link_view(kl.robots.exam_2018(), 2, EXAM),
     "all frames": lambda: kl.frames_view(kl.robots.cylindrical(), [-0.25, 0.35, 0.4]),
     "stages, modified": lambda: kl.link_view(kl.robots.practical_six_link(), 3),

@@ -1,4 +1,4 @@
-"""One link of an arm as textbooks draw it: its four parameters measured, its four motions done.
+"""One link of an arm as textbooks draw it: its four parameters measured.
 
 Other links are paler, and of the frames only i-1 and i stay. Angles (theta, alpha) are arcs,
 lengths (d, a) are dimension lines, each kind in the colour that it has in formulas.
@@ -19,9 +19,9 @@ from ..arms.joints import joint_range, joints_before
 from ..arms.motions import ROTATE, Motion, X, Z
 from .arm_scene import link_ends
 from .camera import Camera
-from .controls import Knob, PoseTable, decimals, subscript
+from .controls import PoseTable, decimals, subscript
 from .readings import Amount
-from .scene import SOLIDS, SPATIAL, Item, Scene, at, origin_of
+from .scene import SOLIDS, SPATIAL, Item, Scene, at
 from .sketch import Sketch
 
 _AXES, _VIEW = np.eye(3), Camera(*SPATIAL["3-D"]).axes[2]
@@ -36,17 +36,6 @@ def parameters_scene(arm: Arm, link: int, q: Any) -> Scene:
     sketch.measure()
     sketch.tell()
     sketch.pose = sketch.table(f"A{subscript(link)}", str(link))
-    return sketch.scene()
-
-
-def motions_scene(arm: Arm, link: int, q: Any) -> Scene:
-    """The four motions from frame i-1 to frame i, as far as the knob "motion" says."""
-    sketch = LinkSketch(arm, link, q)
-    sketch.measure()
-    sketch.carry()
-    sketch.poses = [[*sketch.start, done] for done in range(5)]
-    sketch.start.append(0.0)
-    sketch.pose = sketch.table("The frame on its way", "")
     return sketch.scene()
 
 
@@ -87,23 +76,6 @@ class LinkSketch(Sketch):
         """A line for each parameter: how it is measured, and its value."""
         for k, parameter in enumerate(self.parameters):
             self.reading(parameter, self.rule(k), Amount(self.frames[k + 1]))
-
-    def carry(self) -> None:
-        """A frame that a knob carries from frame i-1 to frame i, with the path of its origin."""
-        done = self.knob(Knob("motion", "motion", 0, 4, step=0.1, title="motions done",
-                              whole=True))
-        frames = [self.first]
-        for k, motion in enumerate(self.motions):
-            frames.append(self.move(motion.kind, motion.axis, motion.amount, motion.joint,
-                                    frames[-1], gain=float(motion.sign), scrub=(done, k)))
-            verb = "turn about" if motion.kind == ROTATE else "slide along"
-            self.reading(self.parameters[k], f"{k + 1}. {verb} {'xyz'[motion.axis]} by "
-                         f"{self.name_of(k)}: {{}}{self._unit(motion)}", Amount(frames[-1]))
-        self.line("path", map(origin_of, frames), "trace")
-        self.axes("", frames[-1], 0.3 * self.radius)
-        self.reading("o", f"origin at {{}} {self.unit}, seen from frame {self.link - 1}",
-                     self.vector(self.first, frames[-1], self.first))
-        self.tip = frames[-1]
 
     def _walk(self, motions: Iterable[Motion], slides: float = 1.0) -> list[int]:
         """The frames before, between and after the motions, on a branch of their own."""

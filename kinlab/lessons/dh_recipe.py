@@ -29,10 +29,10 @@ from ..drawing.sketch import Sketch
 from ..views.arm_view import ArmView
 from ..views.link_view import link_view
 from ..views.live import LiveView
-from ..views.studies import motions_view, parameters_view
+from ..views.studies import parameters_view
 from .views.dh_recipe import rules_view
 
-__all__ = ["JUDGES", "PREDICTIONS", "motions_view", "numbers_view", "parameters_view",
+__all__ = ["JUDGES", "PREDICTIONS", "numbers_view", "parameters_view",
            "printed_matrix", "rules_view"]
 
 

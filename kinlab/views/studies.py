@@ -10,7 +10,7 @@ from ..arms import inputs
 from ..arms.arm import Arm, check_arm
 from ..arms.joints import first_pose
 from ..drawing.arm_scene import is_planar
-from ..drawing.link_picture import motions_scene, parameters_scene
+from ..drawing.link_picture import parameters_scene
 from ..drawing.solve_picture import solve_scene
 from ..drawing.velocity_picture import velocity_scene
 from ..ik.descent import METHODS
@@ -89,23 +89,6 @@ def parameters_view(arm: Arm, link: int, q: Any = None) -> LiveView:
     (array([40.]),)
     """
     return LiveView(parameters_scene(arm, link, first_pose(arm, q)))
-
-
-def motions_view(arm: Arm, link: int, q: Any = None) -> LiveView:
-    """The four motions that carry a frame from frame i-1 to frame i, one after another.
-
-    The knob "motion" says how many are done: at 0 the frame lies on frame i-1, at 4 on frame i.
-    The joints move as well. Parameters and errors are those of `parameters_view`.
-
-    Examples
-    --------
-    >>> from kinlab import robots
-    >>> view = motions_view(robots.alpha_ii(), 2)
-    >>> view["motion"].value = 2.5
-    >>> view.readings["a"]
-    (array([88.9]),)
-    """
-    return LiveView(motions_scene(arm, link, first_pose(arm, q)))
 
 
 def solve_view(arm: Arm, target: Any, q0: Any = None, *, weights: Any = None,

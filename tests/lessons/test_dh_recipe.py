@@ -10,7 +10,7 @@ import kinlab as kl
 from kinlab.arms.joints import joint_range
 from kinlab.drawing.curves import is_there
 from kinlab.drawing.still import still
-from kinlab.lessons.dh_recipe import motions_view, numbers_view, parameters_view, rules_view
+from kinlab.lessons.dh_recipe import numbers_view, parameters_view, rules_view
 
 close = np.testing.assert_allclose
 COURSE = [kl.robots.two_link, kl.robots.practical_six_link, kl.robots.cylindrical,
@@ -113,31 +113,6 @@ def test_frames_and_table_are_those_of_the_link(arm, link):
 
 
 @every_link
-def test_the_scrub_ends_at_the_link_matrix(arm, link):
-    view = motions_view(arm, link)
-    base, tip = view.scene["pose"]["base"], view._scene.tip
-    row_matrix = getattr(textbook, arm.convention)
-    for q in poses(arm, 2):
-        for share in (0, 0.5, 1, 1.7, 2.4, 3, 3.6, 4):
-            frames = view._scene.frames([*q, share])
-            T = kl.inverse(frames[base]) @ frames[tip]
-            close(T, done(arm, link, q, share), atol=1e-9)
-        values = row(arm, link, q)
-        close(T, row_matrix(*(values[name] for name in ("theta", "d", "a", "alpha"))), atol=1e-9)
-
-
-def test_the_motions_are_read_as_far_as_they_are_done():
-    arm, q = kl.robots.exam_2018(), [0.3, 0.2, 0.4]
-    view = motions_view(arm, 2, q)
-    assert repr(view).endswith("origin at (0, 0, 0) m, seen from frame 1")
-    view["motion"].value = 2.5
-    close([view.readings[name][0][0] for name in ("theta", "d", "a", "alpha")],
-          [degrees(0.2 + pi / 2), 0.2, 0.2, 0])
-    close(view.readings["o"][0], done(arm, 2, q, 2.5)[:3, 3], atol=1e-12)
-    assert "3. slide along x by a₂: 0.2 m" in repr(view)
-
-
-@every_link
 def test_a_view_is_about_its_link(arm, link):
     """Both frames lie well inside the picture, at any pose; other links step back."""
     view = shown(arm, link)
@@ -163,16 +138,15 @@ def test_rules_say_how_a_parameter_is_measured():
     assert "θ₂ = θ₂* + 90° = 90°" in repr(parameters_view(kl.robots.exam_2018(), 2))
 
 
-@pytest.mark.parametrize("view", [parameters_view, motions_view])
 @pytest.mark.parametrize("arm, link, q, words", [
     (kl.robots.alpha_ii(), 0, None, "link: expected a whole number from 1 to 5, got 0"),
     (kl.robots.alpha_ii(), 6, None, "got 6"), (kl.robots.alpha_ii(), 2.0, None, "got 2.0"),
     (kl.robots.alpha_ii(), "2", None, "got '2'"), (np.eye(4), 1, None, "arm: expected a kinlab"),
     (kl.robots.alpha_ii(), 2, [0, 0], "q: expected"),
 ], ids=["zero", "beyond", "float", "text", "no arm", "short q"])
-def test_bad_input_is_refused(view, arm, link, q, words):
+def test_bad_input_is_refused(arm, link, q, words):
     with pytest.raises(ValueError, match=words):
-        view(arm, link, q)
+        parameters_view(arm, link, q)
 
 
 @pytest.mark.parametrize("tilt, miss", [(0, 0), (25, 1), (-40, 0), (0, -0.7), (50, 1.5)])
