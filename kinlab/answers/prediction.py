@@ -376,8 +376,9 @@ def _beyond(answer: float, right: float, turn: float) -> float:
 
 
 def _short(value: float) -> str:
-    """A number with four digits at most; halves go up, as in the browser."""
-    return f"{float(f'{value * (1 + 1e-12):.4g}') + 0.0:.6g}".replace("-", "−")
+    """A number with four digits and four decimals at most; halves go up, as in the browser."""
+    short = float(f"{round(value * (1 + 1e-12), 4):.4g}") + 0.0
+    return (f"{short:.0f}" if short.is_integer() else repr(short)).replace("-", "−")
 
 
 def _suffix(unit: str) -> str:

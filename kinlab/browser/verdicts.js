@@ -3,11 +3,11 @@
 /** @import { Asked, Told } from "./types.js" */
 
 /**
- * A number with four digits at most; halves go up, as in Python.
+ * A number with four digits and four decimals at most; halves go up, as in Python.
  * @param {number} value
  */
 export const brief = (value) =>
-  String(Number((value * (1 + 1e-12)).toPrecision(4)) + 0).replace("-", "−");
+  String(Number(Number((value * (1 + 1e-12)).toFixed(4)).toPrecision(4)) + 0).replace("-", "−");
 
 /** @type {(unit: string) => string} */
 const behind = (unit) => !unit || unit === "°" ? unit : ` ${unit}`;

@@ -45,11 +45,12 @@ ASKED = {
                                 among={"0": "stays", "+": "grows", "-": "falls"})]),
 }
 # Answers of each kind: right ones, wrong ones, slips, and none.
-ANSWERS = {"mark": [None, [0, 2, 0], [0.1, 1.9, 0], [0, -2.1, 0], [1, 1, 0.5]],
+ANSWERS = {"mark": [None, [0, 2, 0], [0.1, 1.9, 0], [0, -2.1, 0], [1, 1, 0.5],
+                    [0, 2 + 8e-6, 0], [0, 2.00015, 0], [3e6, 0, 0]],
            "direction": [None, 90, 450, 76, 74.5, -90, 0],
            "choice": [None, "a", "b & c", "<i>d</i>"],
            "several": [None, [], ["a"], ["b"], ["a", "c"], ["a", "b", "c"]],
-           "number": [None, 90, -270, 91.9, 45, 0.125, 271, 1e5],
+           "number": [None, 90, -270, 91.9, 45, 0.125, 271, 1e5, 1e6, 1e-9],
            "signs": [None, ["-0", "+-"], ["00", "00"], ["+0", "+-"]]}
 
 
