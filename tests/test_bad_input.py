@@ -313,10 +313,24 @@ def test_anything_is_computed_or_refused_in_one_sentence(call, value):
 
 def test_every_public_function_is_listed_here():
     elsewhere = {"ArmView", "ClosedForm", "DHTableEditor", "InverseBatch", "InverseResult",
-                 "Quaternion", "TargetView", "Workspace", "examine_frames", "exercises", "lessons",
-                 "parse_number", "robots", "same_mechanism", "solve_view", "velocity_view"}
+                 "Quaternion", "TargetView", "Workspace", "examine_frames", "exercises",
+                 "frames_view", "lessons", "link_view", "parse_number", "predict", "robots",
+                 "same_mechanism", "show", "solve_view", "velocity_view"}
     listed = {call.split()[0].removeprefix("kl.") for call in EVERY}
     assert set(kl.__all__) - elsewhere <= listed
+
+
+@given(value=junk)
+@example(value=float("nan"))
+@example(value=[[1, 2], [3]])
+def test_anything_can_be_shown(value):
+    assert repr(kl.show(value=value)).startswith("value = ")
+
+
+@pytest.mark.parametrize("digits", [-1, 2.5, "3", None])
+def test_digits_that_cannot_be_are_refused(digits):
+    with pytest.raises(ValueError, match="digits: "):
+        kl.show(digits=digits, c=1)
 
 
 @pytest.mark.parametrize("call", ["kl.forward_kinematics q", "kl.link_frames q", "kl.jacobian q"])

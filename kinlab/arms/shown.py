@@ -5,6 +5,8 @@ from typing import Any
 
 import numpy as np
 
+from . import inputs
+
 _DIGITS = 4
 
 
@@ -34,6 +36,11 @@ def show(*, digits: int = _DIGITS, **values: Any) -> Shown:
     Shown
         Its text is the last value of a cell.
 
+    Raises
+    ------
+    ValueError
+        If `digits` is no whole number from 0 on.
+
     Examples
     --------
     >>> import numpy as np
@@ -44,7 +51,7 @@ def show(*, digits: int = _DIGITS, **values: Any) -> Shown:
     R =  0  -1
          1   0
     """
-    return Shown(values, digits)
+    return Shown(values, inputs.whole("digits", digits, 0))
 
 
 def _named(name: str, value: Any, digits: int) -> str:
@@ -58,9 +65,9 @@ def _lines(value: Any, digits: int) -> list[str]:
     try:
         array = np.asarray(value)
     except ValueError:
-        return str(value).splitlines()
+        return str(value).splitlines() or [""]
     if array.dtype.kind not in "fiu":
-        return str(value).splitlines()
+        return str(value).splitlines() or [""]
     words = np.vectorize(lambda one: _short(one, digits), otypes=[object])(array)
     if array.ndim == 0:
         return [str(words)]
