@@ -52,17 +52,20 @@ class Guess:
 
     def turn(self, of: str, about: str, q: Numbers) -> float:
         """Where the axis `of` points, in degrees about an axis of the room."""
-        frames = self.scene.frames(self._all(q))
-        tail, head = (_room(frames, point) for point in _points(self.scene, of)[:2])
-        way, zero = head - tail, _ZERO[about]
+        way, zero = self._way(of, q), _ZERO[about]
         return math.degrees(math.atan2(way[(zero + 1) % 3], way[zero]))
 
     def slant(self, of: str, about: str, q: Numbers) -> float:
         """How far, in degrees, the axis `of` points out of the plane in which the arrow turns."""
+        way = self._way(of, q)
+        out = way["xyz".index(about)] / np.linalg.norm(way)
+        return math.degrees(math.asin(np.clip(out, -1, 1)))
+
+    def _way(self, of: str, q: Numbers) -> np.ndarray:
+        """From the origin of the axis `of` to its tip, in the room."""
         frames = self.scene.frames(self._all(q))
         tail, head = (_room(frames, point) for point in _points(self.scene, of)[:2])
-        way = (head - tail) / np.linalg.norm(head - tail)
-        return math.degrees(math.asin(np.clip(way["xyz".index(about)], -1, 1)))
+        return head - tail
 
     def _all(self, q: Numbers) -> list[float]:
         return [*map(float, q), *[0.0] * (len(self.scene.knobs) - len(q))]

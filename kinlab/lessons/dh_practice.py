@@ -12,7 +12,7 @@ from ..arms import robots
 from ..arms.arm import Arm, to_modified
 from ..arms.link import prismatic, revolute
 from ..views.arm_view import ArmView
-from .dh_recipe import signed
+from .asked import angle
 
 SHOWN = ("frames", "labels", "axes")
 
@@ -48,7 +48,7 @@ _TABLE = Signs(
 def _x_2(theta: float, why: str, slip: str = "There z₂ points, the direction of the reach.",
          ) -> Direction:
     return Direction(
-        ask=f"x₂ is perpendicular to z₁ and to z₂. θ₁ goes to {signed(theta)}. Turn the arrow to "
+        ask=f"x₂ is perpendicular to z₁ and to z₂. θ₁ goes to {angle(theta)}. Turn the arrow to "
             "where x₂ will point.",
         why=why, of="frame-2-x", about="z", begin=90, seen="top", slips=[(theta, slip)],
         start=dict(theta_1=0), shows=dict(theta_1=theta))
@@ -107,7 +107,7 @@ def _modified_view() -> ArmView:
 
 def _z_1(theta: float, why: str) -> Direction:
     return Direction(
-        ask=f"z₁ lies along the level axis of joint 2. θ₁ goes from 0 to {signed(theta)}. Turn the "
+        ask=f"z₁ lies along the level axis of joint 2. θ₁ goes from 0 to {angle(theta)}. Turn the "
             "arrow to where z₁ will point.",
         why=why, of="frame-1-z", about="z", begin=-90, seen="top",
         slips=[(theta, "There x₁ points. z₁ is a quarter turn behind it."),
@@ -123,7 +123,7 @@ _Z_1 = [_z_1(60, "At θ₁ = 0 it points along −y₀, that is −90°. Joint 1
 def _tip(theta: float, slide: float, why: str,
          slip: tuple[tuple[float, float, float], str]) -> Mark:
     return Mark(
-        ask=f"θ₁ = 0, and z₁ points at you. θ₂* goes from 0 to {signed(theta)}, d₃ to {slide:g} m; "
+        ask=f"θ₁ = 0, and z₁ points at you. θ₂* goes from 0 to {angle(theta)}, d₃ to {slide:g} m; "
             "d₁ is 0.5 m and a₂ 0.4 m. Set the mark where the tip will be.",
         why=why, axes="xz", tolerance=0.08, seen="front", slips=[slip],
         start=dict(theta_1=0, theta_2=0, d_3=0.4), shows=dict(theta_2=theta, d_3=slide))
@@ -164,7 +164,7 @@ _FIRST = [
 
 def _o_2(theta: float, why: str, standard: tuple[float, float, float]) -> Mark:
     return Mark(
-        ask=f"The modified frames of the exam arm. θ₁ = 0, and θ₂* goes from 0 to {signed(theta)}. "
+        ask=f"The modified frames of the exam arm. θ₁ = 0, and θ₂* goes from 0 to {angle(theta)}. "
             "Set the mark where O₂ will be.",
         why=why, of="frame-2-x", axes="xz", tolerance=0.08, begin=(-0.3, -0.2, 0.75), seen="front",
         slips=[(standard, "There the standard O₂ is, at the end of a₂.")],

@@ -30,6 +30,7 @@ from ..views.arm_view import ArmView
 from ..views.link_view import link_view
 from ..views.live import LiveView
 from ..views.studies import parameters_view
+from .asked import angle
 from .views.dh_recipe import rules_view
 
 __all__ = ["JUDGES", "PREDICTIONS", "numbers_view", "parameters_view",
@@ -96,15 +97,10 @@ def _twist(alpha: float, theta: float, about: str, why: str, slip: tuple[float, 
     """Which way z₁ points once α has grown from zero."""
     ahead = "y₀" if theta else "x₀"
     return Direction(
-        ask=f"α is 0, and x₁ points along {ahead}. z₁ points up. Now α goes to {signed(alpha)}. "
+        ask=f"α is 0, and x₁ points along {ahead}. z₁ points up. Now α goes to {angle(alpha)}. "
             "Turn the arrow to where z₁ will point.",
         why=why, of="frame-1-z", about=about, begin={"x": 90, "y": 0}[about], slips=[slip],
         start=dict(theta=theta, alpha=0), shows=dict(alpha=alpha))
-
-
-def signed(angle: float) -> str:
-    """An angle in degrees, with a minus sign as it is printed."""
-    return f"{angle:g}°".replace("-", "−")
 
 
 _RIGHT_HAND = "Right thumb along x₁: the fingers show which way z turns."
@@ -140,7 +136,7 @@ _WHICH = [
 
 def _x_2(theta: float, why: str) -> Direction:
     return Direction(
-        ask=f"θ₂* = {signed(theta)}, and z₁ points at you. You see the axes z₁ and z₂ of one link. "
+        ask=f"θ₂* = {angle(theta)}, and z₁ points at you. You see the axes z₁ and z₂ of one link. "
             "Turn the arrow to where x₂ will point.",
         why=why, of="frame-2-x", about="y", begin=90, seen="front",
         slips=[(180 - theta, "Along the common normal, but the other way: x₂ leads from z₁ to z₂."),

@@ -12,7 +12,7 @@ from ..arms import robots
 from ..arms.arm import Arm
 from ..arms.link import revolute
 from ..views.arm_view import ArmView
-from .dh_recipe import signed
+from .asked import angle
 from .rotation import riding_view
 from .views.homogeneous import order
 
@@ -79,7 +79,7 @@ _ORDER = [Mark(
 
 
 def _determinant(after: float, value: float, why: str) -> Number:
-    return Number(ask=f"α before the link is 0°, α after it is {signed(after)}. The page puts the "
+    return Number(ask=f"α before the link is 0°, α after it is {angle(after)}. The page puts the "
                       "cosine of the wrong one into entry (3,3). What is the determinant of "
                       "that matrix?",
                   why=why, right=value, tolerance=0.01,

@@ -10,6 +10,7 @@ from ..drawing.controls import Knob
 from ..drawing.scene import at
 from ..drawing.sketch import Sketch
 from ..views.live import LiveView
+from .asked import angle, pair
 
 # ---- View: a pose in the plane ---------------------------------------------------------------
 
@@ -55,7 +56,7 @@ def _lands(theta: float, origin: tuple[float, float], why: str) -> Mark:
     """Where a point of frame 1 is in frame 0."""
     x, y = origin
     return Mark(
-        ask=f"The origin of frame 1 is at {_pair(x, y)}. The frame turns by {_number(theta)}° and "
+        ask=f"The origin of frame 1 is at {pair(x, y)}. The frame turns by {angle(theta)} and "
             "takes the point p¹ = (1, 0) along. Where is p then, as frame 0 sees it?",
         why=why, start=_posed(0, x, y), shows=_posed(theta, x, y), of="point-p", tolerance=0.25,
         slips=[((x + 1, y, 0), "You added p¹ as it is. It is measured along x₁, which has turned."),
@@ -67,8 +68,8 @@ def _back(theta: float, origin: tuple[float, float], point: tuple[float, float],
           why: str, *slips: tuple[float, str]) -> Number:
     """The first coordinate that frame 1 sees."""
     return Number(
-        ask=f"Frame 1 is turned by {_number(theta)}°, and its origin is at {_pair(*origin)}. A "
-            f"bolt is at {_pair(*point)} in frame 0. What is its coordinate along x₁, in frame 1?",
+        ask=f"Frame 1 is turned by {angle(theta)}, and its origin is at {pair(*origin)}. A "
+            f"bolt is at {pair(*point)} in frame 0. What is its coordinate along x₁, in frame 1?",
         why=why, start=_posed(theta, *origin), right=right, tolerance=0.05, slips=slips)
 
 
@@ -84,14 +85,6 @@ def _factor(product: str, right: str, why: str, **said: str) -> Choice:
     """The factor that is missing."""
     return Choice(ask=f"{product} Which factor is missing?", why=why, right=right,
                   options=dict(sorted((said | {right: ""}).items())))
-
-
-def _number(value: float) -> str:
-    return f"{value:g}".replace("-", "−")
-
-
-def _pair(x: float, y: float) -> str:
-    return f"({_number(x)}, {_number(y)})"
 
 
 _FROM_0 = "the pose of frame 3, seen from frame 0"

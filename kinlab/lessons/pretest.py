@@ -14,6 +14,7 @@ from ..drawing.controls import Knob
 from ..drawing.sketch import Sketch
 from ..views.live import LiveView
 from ..views.prediction import Prediction
+from .asked import angle, pair, said
 
 # ---- Pictures --------------------------------------------------------------------------------
 
@@ -53,22 +54,22 @@ def _riding(place: tuple[float, float]) -> LiveView:
 def _shift(o: tuple[float, float], c: tuple[float, float]) -> Choice:
     (x, y), (u, v) = o, c
     return Choice(
-        ask=f"Frame 1 has its origin at {_pair(x, y)} in frame 0, and axes parallel to those of "
-            f"frame 0. A point is at {_pair(u, v)} in frame 0. Where is it in frame 1?",
-        why="Subtract the origin of frame 1: its own zero is there.", right=_pair(u - x, v - y),
-        options={_pair(u + x, v + y): "The origin is added on the way from frame 1 to frame 0.",
-                 _pair(x - u, y - v): "This is the way from the point back to the origin.",
-                 _pair(u, v): "Coordinates belong to a frame; another frame measures others.",
-                 _pair(u - x, v - y): ""})
+        ask=f"Frame 1 has its origin at {pair(x, y)} in frame 0, and axes parallel to those of "
+            f"frame 0. A point is at {pair(u, v)} in frame 0. Where is it in frame 1?",
+        why="Subtract the origin of frame 1: its own zero is there.", right=pair(u - x, v - y),
+        options={pair(u + x, v + y): "The origin is added on the way from frame 1 to frame 0.",
+                 pair(x - u, y - v): "This is the way from the point back to the origin.",
+                 pair(u, v): "Coordinates belong to a frame; another frame measures others.",
+                 pair(u - x, v - y): ""})
 
 
 def _turned(theta: float, c: tuple[float, float], right: str) -> Mark:
     x, y = c
     back = (y, -x) if theta > 0 else (-y, x)
     return Mark(
-        ask=f"The point c is fixed in frame 1, at {_pair(x, y)}. Frame 1 turns by "
-            f"{_number(theta)}° about the common origin. Where is c then?",
-        why=f"c is still {_number(x)} along x₁ and {_number(y)} along y₁: {right}.",
+        ask=f"The point c is fixed in frame 1, at {pair(x, y)}. Frame 1 turns by "
+            f"{angle(theta)} about the common origin. Where is c then?",
+        why=f"c is still {said(x)} along x₁ and {said(y)} along y₁: {right}.",
         start={"theta_1": 0}, shows={"theta_1": theta}, of="point-c", tolerance=0.3, slips=[
             ((*back, 0), "This is a turn the other way round."),
             ((-x, -y, 0), "This is half a turn.")])
@@ -86,8 +87,8 @@ def _axis(rows: str, theta: float, along_row: float, column: str) -> Direction:
 
 def _walk(theta: float, d: float, right: str, wrong: tuple[float, float]) -> Mark:
     return Mark(
-        ask=f"Frame 1 starts on frame 0. It turns by {_number(theta)}°, then it slides by "
-            f"{_number(d)} along its own x axis. Where is its origin then?",
+        ask=f"Frame 1 starts on frame 0. It turns by {angle(theta)}, then it slides by "
+            f"{said(d)} along its own x axis. Where is its origin then?",
         why=f"After the turn its own x axis points {right}.", start={"theta_1": 0, "d": 0},
         shows={"theta_1": theta, "d": d}, of="frame-1-x", tolerance=0.3, slips=[
             ((d, 0, 0), "You slid along x₀; its own axis has turned with it."),
@@ -161,7 +162,7 @@ def _twist(z: str, right: float, why: str) -> Number:
 
 def _signs(theta: float, right: tuple[str, str], why: str) -> Signs:
     return Signs(
-        ask=f"Frame 1 is turned by {_number(theta)}° about z. Which signs have the entries of its "
+        ask=f"Frame 1 is turned by {angle(theta)} about z. Which signs have the entries of its "
             "rotation matrix, seen from frame 0?", why=why, rows=("x₀", "y₀"),
         columns=("x₁", "y₁"), right=right, among={"+": "positive", "-": "negative", "0": "zero"})
 
@@ -175,14 +176,6 @@ def _misread(written: str, read: str, rows: str, right: str, why: str) -> Choice
             "the same arm": "The four motions of a row are carried out in another order.",
             "the mirror image of the arm": "No sign has changed; the order of the motions has.",
             right: ""})
-
-
-def _number(value: float) -> str:
-    return f"{value:g}".replace("-", "−")
-
-
-def _pair(x: float, y: float) -> str:
-    return f"({_number(x)}, {_number(y)})"
 
 
 _VERSIONS: dict[str, tuple[Case, Case]] = {

@@ -18,6 +18,7 @@ from ..drawing.sketch import Sketch
 from ..views.arm_view import ArmView
 from ..views.live import LiveView
 from . import notation
+from .asked import angle, said
 
 _ARM = robots.two_link()
 TARGET = np.array([cos(radians(20)) + cos(radians(80)), sin(radians(20)) + sin(radians(80))])
@@ -83,7 +84,7 @@ def _turned(theta: float, right: str, wrong: tuple[float, float], slip: str,
     """Where the tool is when the column has turned."""
     return Mark(
         ask=f"The tool is {reach:g} m away from the column, along x₀. Then the column turns by "
-            f"{_degrees(theta)}. Where is the tool? Set the mark, as seen from above.",
+            f"{angle(theta)}. Where is the tool? Set the mark, as seen from above.",
         why=f"It is still {reach:g} m away from the column, now {right}, and still 0.7 m high.",
         start={"theta_1": 0, "d_3": reach}, shows={"theta_1": theta}, seen="top", of="tip",
         unit="m", tolerance=0.06, slips=[((*wrong, 0.7), slip)])
@@ -93,7 +94,7 @@ def _tip(first: float, second: float, why: str, wrong: tuple[float, float],
          slip: str = "That is where it would be if θ₂ were measured from x₀.") -> Mark:
     """The forward question."""
     return Mark(
-        ask=f"θ₁ = {_degrees(first)}, θ₂ = {_degrees(second)}. Where is the tip? θ₂ is measured "
+        ask=f"θ₁ = {angle(first)}, θ₂ = {angle(second)}. Where is the tip? θ₂ is measured "
             "from the first link.",
         why=why, start={"theta_1": 0, "theta_2": 0}, shows={"theta_1": first, "theta_2": second},
         of="tip", unit="m", tolerance=0.2,
@@ -103,7 +104,7 @@ def _tip(first: float, second: float, why: str, wrong: tuple[float, float],
 def _bend(first: float, right: float, why: str, *slips: tuple[float, str]) -> Number:
     """The inverse question, with one of the two angles given."""
     return Number(
-        ask=f"θ₁ = {_degrees(first)}. Which θ₂ brings the tip into the ring at (1, 1)?",
+        ask=f"θ₁ = {angle(first)}. Which θ₂ brings the tip into the ring at (1, 1)?",
         why=why, start={"theta_1": first, "theta_2": 0}, shows={"theta_2": right}, unit="°",
         right=right, tolerance=5, turn=360, slips=[
             *slips, (45, "The ring is at 45° as the base sees it; θ₂ is measured from link 1."),
@@ -123,31 +124,27 @@ def _points(first: float, second: float, begin: float, why: str,
             *slips: tuple[float, str]) -> Direction:
     """Which way the last link points."""
     return Direction(
-        ask=f"θ₁ = {_degrees(first)}, θ₂ = {_degrees(second)}. Which way does the last link point?",
+        ask=f"θ₁ = {angle(first)}, θ₂ = {angle(second)}. Which way does the last link point?",
         why=why, start={"theta_1": 0, "theta_2": 0}, shows={"theta_1": first, "theta_2": second},
         of="frame-E-x", begin=begin, slips=slips)
 
 
-def _on_the_way(angle: float, wrong: tuple[float, float], slip: str) -> Mark:
+def _on_the_way(turn: float, wrong: tuple[float, float], slip: str) -> Mark:
     """A point of the path on which both joints turn alike."""
-    x, y = cos(radians(angle)) + cos(radians(2 * angle)), sin(radians(angle)) + sin(
-        radians(2 * angle))
+    x, y = cos(radians(turn)) + cos(radians(2 * turn)), sin(radians(turn)) + sin(
+        radians(2 * turn))
     return Mark(
         ask=f"Both joints turn alike, from 0° on. Where is the tip when θ₁ = θ₂ = "
-            f"{_degrees(angle)}?",
-        why=f"The first link points at {_degrees(angle)}, the second at {_degrees(2 * angle)}: "
+            f"{angle(turn)}?",
+        why=f"The first link points at {angle(turn)}, the second at {angle(2 * turn)}: "
             f"the tip is at ({_number(x)}, {_number(y)}).",
-        start={"theta_1": 0, "theta_2": 0}, shows={"theta_1": angle, "theta_2": angle}, of="tip",
+        start={"theta_1": 0, "theta_2": 0}, shows={"theta_1": turn, "theta_2": turn}, of="tip",
         unit="m",
         tolerance=0.2, slips=[((*wrong, 0), slip)])
 
 
-def _degrees(angle: float) -> str:
-    return f"{_number(angle)}°"
-
-
 def _number(value: float) -> str:
-    return f"{round(value, 2) + 0.0:g}".replace("-", "−")
+    return said(round(value, 2))
 
 
 _NOT_ADDED = "There both links would point the same way; θ₂ is measured from the first link."

@@ -13,6 +13,7 @@ from ..drawing.readings import Point
 from ..drawing.scene import origin_of
 from ..drawing.sketch import Sketch
 from ..views.live import LiveView
+from .asked import pair, said
 
 _WORDS = {"vector": "ink"}  # the style of an arrow's name, where it is not the arrow's own
 
@@ -142,7 +143,7 @@ def _origin(c_1: tuple[float, float], place: tuple[float, float], why: str) -> M
     start = {"o_x": -1.0, "o_y": -1.0}
     return Mark(
         ask=f"The point c stays at c⁰ = (1, 2). Frame 1 slides until it sees c at "
-            f"c¹ = {_pair(*c_1)}. Where is its origin then?",
+            f"c¹ = {pair(*c_1)}. Where is its origin then?",
         why=why, start=start, shows={"o_x": place[0], "o_y": place[1]}, of="frame-1-x",
         tolerance=0.25, slips=[
             *[((1 + x, 2 + y, 0), "You added c¹; to get to the origin, go back from c: c⁰ − c¹.")
@@ -154,7 +155,7 @@ def _carried(place: tuple[float, float], why: str) -> Mark:
     """Where the point is after a slide of the frame that it rides on."""
     x, y = place
     return Mark(
-        ask=f"The point c rides along, with c¹ = (1, 2). Frame 1 slides to o₁⁰ = {_pair(x, y)}. "
+        ask=f"The point c rides along, with c¹ = (1, 2). Frame 1 slides to o₁⁰ = {pair(x, y)}. "
             "Where is c then?",
         why=why, start={"o_x": 1, "o_y": 0.5}, shows={"o_x": x, "o_y": y}, of="point-c",
         tolerance=0.25, slips=[
@@ -168,8 +169,8 @@ def _two_slides(first: tuple[float, float], second: tuple[float, float], why: st
     """Where two slides lead to."""
     (a, b), (c, d) = first, second
     return Mark(
-        ask=f"Frame 1 slides to o₁⁰ = {_pair(a, b)}. From there frame 2 slides by "
-            f"o₂¹ = {_pair(c, d)}. Where is the origin of frame 2?",
+        ask=f"Frame 1 slides to o₁⁰ = {pair(a, b)}. From there frame 2 slides by "
+            f"o₂¹ = {pair(c, d)}. Where is the origin of frame 2?",
         why=why, start={"o1_x": 0.5, "o1_y": 0.0, "o2_x": 1.0, "o2_y": 1.0},
         shows={"o1_x": a, "o1_y": b, "o2_x": c, "o2_y": d}, of="frame-2-x", tolerance=0.25,
         slips=[((c, d, 0), "That would be from frame 0; the second slide begins at frame 1."),
@@ -181,32 +182,24 @@ def _seen_back(o_01: tuple[float, float], why: str) -> Choice:
     """Where frame 1 sees the origin of frame 0."""
     x, y = o_01
     return Choice(
-        ask=f"Frame 0 sees the origin of frame 1 at o₁⁰ = {_pair(x, y)}. Where does frame 1 see "
+        ask=f"Frame 0 sees the origin of frame 1 at o₁⁰ = {pair(x, y)}. Where does frame 1 see "
             "the origin of frame 0?",
-        why=why, start={"o_x": x, "o_y": y}, right=_pair(-x, -y), options={
-            _pair(x, y): "Stand at frame 1 and look back: the way back has the other signs.",
-            _pair(-x, -y): "", _pair(0, 0): "There a frame sees its own origin.",
-            _pair(y, x): "x and y do not trade places: the axes are parallel."})
+        why=why, start={"o_x": x, "o_y": y}, right=pair(-x, -y), options={
+            pair(x, y): "Stand at frame 1 and look back: the way back has the other signs.",
+            pair(-x, -y): "", pair(0, 0): "There a frame sees its own origin.",
+            pair(y, x): "x and y do not trade places: the axes are parallel."})
 
 
 def _height(drone: float, seen: float, right: float, why: str) -> Number:
     """A third component."""
     return Number(
-        ask=f"A drone hovers {_number(drone)} m above the ground. Its camera, whose axes are "
-            f"parallel to those of the room, sees a bird at c¹ = (0, 2, {_number(seen)}). How high "
+        ask=f"A drone hovers {said(drone)} m above the ground. Its camera, whose axes are "
+            f"parallel to those of the room, sees a bird at c¹ = (0, 2, {said(seen)}). How high "
             "above the ground is the bird?",
         why=why, right=right, unit="m", tolerance=0.01, slips=[
             (drone - seen, "From frame 1 to the room the origin is added, not subtracted."),
             (seen, "That is what the drone sees; its own height comes on top."),
             (drone + 2, "The height is the third component; 2 is along y.")])
-
-
-def _number(value: float) -> str:
-    return f"{value + 0.0:g}".replace("-", "−")
-
-
-def _pair(x: float, y: float) -> str:
-    return f"({_number(x)}, {_number(y)})"
 
 
 PREDICTIONS: dict[str, Asked] = {

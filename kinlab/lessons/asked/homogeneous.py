@@ -6,6 +6,7 @@ from math import sqrt
 
 from ...answers.prediction import Asked, Choice, Direction, Mark, Number, Several, Signs
 from ..views.homogeneous import chain, combined, fixed, order, seen_back, spatial
+from . import angle
 
 # ---- Slide and turn together ------------------------------------------------------------
 
@@ -167,7 +168,7 @@ _SPACE = [
 
 
 def _heading(theta: float, phi: float) -> Direction:
-    told, turn = (f"{degrees:g}°".replace("-", "−") for degrees in (theta, phi))
+    told, turn = angle(theta), angle(phi)
     return Direction(
         ask=f"Frame 1 turns about its own z by θ = {told}, then about its own x by φ = {turn}. "
             "Which way will x₁ point, seen from the top?",

@@ -14,21 +14,17 @@ from ..views.rotation import (
     turning_view,
     two_turns_view,
 )
-
-
-def _signed(degrees: float) -> str:
-    return f"{degrees:g}°".replace("-", "−")
-
+from . import angle
 
 # ---- A frame that turns -----------------------------------------------------------------
 
 
 def _quarter(theta: float) -> Direction:
     return Direction(
-        ask=f"Frame 1 lies on frame 0 now. It will turn to θ = {_signed(theta)}. Which way will y₁ "
+        ask=f"Frame 1 lies on frame 0 now. It will turn to θ = {angle(theta)}. Which way will y₁ "
             "point?",
-        why=f"x₁ points to {_signed(theta)}. y₁ is a quarter turn ahead of it, at "
-            f"{_signed(theta)} + 90° = {_signed(theta + 90)}.",
+        why=f"x₁ points to {angle(theta)}. y₁ is a quarter turn ahead of it, at "
+            f"{angle(theta)} + 90° = {angle(theta + 90)}.",
         start={"theta": 0}, shows={"theta": theta}, of="frame-1-y",
         slips=[(theta, "There x₁ points. y₁ is a quarter turn ahead of it."),
                (theta - 90, "That is a quarter turn behind x₁: y₁ lies on its left."),
@@ -37,8 +33,8 @@ def _quarter(theta: float) -> Direction:
 
 def _carried(theta: float, where: str, slips: list) -> Mark:
     return Mark(
-        ask=f"c is fixed in frame 1, at c¹ = (1.2, 0.5). Where will c be at θ = {_signed(theta)}?",
-        why=f"At θ = {_signed(theta)} {where}.",
+        ask=f"c is fixed in frame 1, at c¹ = (1.2, 0.5). Where will c be at θ = {angle(theta)}?",
+        why=f"At θ = {angle(theta)} {where}.",
         start={"theta": 0}, shows={"theta": theta}, of="point-c", tolerance=0.15, slips=slips)
 
 
@@ -128,11 +124,11 @@ _PAPER = Choice(
 
 def _summed(first: float, second: float) -> Direction:
     return Direction(
-        ask=f"Frame 1 is turned by θ₁ = {_signed(first)} in frame 0. Frame 2 is turned by θ₂ = "
-            f"{_signed(second)} in frame 1. Which way will x₂ point?",
-        why=f"The second turn begins where the first one ended: {_signed(first)} + "
-            f"{_signed(second) if second > 0 else f'({_signed(second)})'} = "
-            f"{_signed(first + second)} from x₀.",
+        ask=f"Frame 1 is turned by θ₁ = {angle(first)} in frame 0. Frame 2 is turned by θ₂ = "
+            f"{angle(second)} in frame 1. Which way will x₂ point?",
+        why=f"The second turn begins where the first one ended: {angle(first)} + "
+            f"{angle(second) if second > 0 else f'({angle(second)})'} = "
+            f"{angle(first + second)} from x₀.",
         start={"theta_1": 0, "theta_2": 0}, shows={"theta_1": first, "theta_2": second},
         of="frame-2-x", begin=-135.0,
         slips=[(first, "There x₁ points. Frame 2 is turned from there."),
@@ -153,7 +149,7 @@ _ABOUT_Z = Signs(
 
 def _about_x(theta: float, slips: list) -> Direction:
     return Direction(
-        ask=f"The frame turns about x, to θ = {_signed(theta)}. Which way will z₁ point?",
+        ask=f"The frame turns about x, to θ = {angle(theta)}. Which way will z₁ point?",
         why=f"A positive turn about x takes y towards z, and z on towards −y. z₁ has gone "
             f"{abs(theta):g}° that way{' backwards' if theta < 0 else ''}.",
         start={"theta": 0}, shows={"theta": theta}, of="frame-1-z", about="x", begin=90.0,
@@ -169,7 +165,7 @@ _ABOUT_X = [
 
 def _about_y(theta: float, where: str, slip: tuple[float, str]) -> Direction:
     return Direction(
-        ask=f"The frame turns about y, to θ = {_signed(theta)}. Which way will x₁ point? Use your "
+        ask=f"The frame turns about y, to θ = {angle(theta)}. Which way will x₁ point? Use your "
             "right hand: thumb along y₀.",
         why=f"A positive turn about y takes z towards x, and x on towards −z. So {where}.",
         start={"theta": 0}, shows={"theta": theta}, of="frame-1-x", about="y", begin=90.0,

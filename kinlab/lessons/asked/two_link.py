@@ -5,17 +5,14 @@ from functools import partial
 
 from ...answers.prediction import Asked, Choice, Direction, Mark, Several
 from ..views.two_link import both_methods, n_links
+from . import angle
 
 # ---- Where Q is, and which way link 2 points ----------------------------------------------
 
 
-def _signed(degrees: float) -> str:
-    return f"{degrees}°".replace("-", "−")
-
-
 def _tip(theta_1: float, theta_2: float, why: str, *slips: tuple) -> Mark:
     return Mark(ask="The links have the lengths l₁ = 2 and l₂ = 1.5. "
-                    f"θ₁ goes to {_signed(theta_1)}, θ₂ to {_signed(theta_2)}. Where will Q be?",
+                    f"θ₁ goes to {angle(theta_1)}, θ₂ to {angle(theta_2)}. Where will Q be?",
                 why=why, shows={"theta_1": theta_1, "theta_2": theta_2},
                 of="point-Q", tolerance=0.2, slips=slips)
 
@@ -37,7 +34,7 @@ _TIP = [
 
 def _bearing(theta_2: float, theta_1: float, why: str, *slips: tuple) -> Direction:
     return Direction(
-        ask=f"θ₁ = 0 and θ₂ = {_signed(theta_2)}. Now only θ₁ turns, to {_signed(theta_1)}. "
+        ask=f"θ₁ = 0 and θ₂ = {angle(theta_2)}. Now only θ₁ turns, to {angle(theta_1)}. "
             "Which way will link 2 (its x₂) point?",
         why=why, start={"theta_1": 0, "theta_2": theta_2}, shows={"theta_1": theta_1},
         of="frame-2-x", begin=-90.0, slips=slips)
@@ -85,7 +82,7 @@ _SPECIAL = Choice(
 def _second(theta_1: float, theta_2: float, why: str, *slips: tuple) -> Direction:
     return Direction(
         ask="The upper left block of H₂⁰ holds x₂ and y₂, seen from frame 0. θ₁ goes to "
-            f"{_signed(theta_1)}, θ₂ to {_signed(theta_2)}. Which way will y₂ point?",
+            f"{angle(theta_1)}, θ₂ to {angle(theta_2)}. Which way will y₂ point?",
         why=why, shows={"theta_1": theta_1, "theta_2": theta_2}, of="frame-2-y",
         begin=-45.0, slips=slips)
 
