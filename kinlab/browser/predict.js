@@ -112,16 +112,6 @@ class Prediction {
     return [...one.shows, ...own];
   }
 
-  /**
-   * The joints as the picture has them now: while the question is open nothing but the mark moves.
-   * @returns {Joints}
-   */
-  gated() {
-    const { joints, question: { first } } = this, { answered } = this;
-    return { ...joints, read: () => joints.read(), write: (q) => joints.write(answered ? q
-      : joints.read().map((value, i) => i < first ? value : q[i])) };
-  }
-
   // ---- the two scenes ----
 
   /** The scene while the question is open: no numbers, and nothing to hold but the mark. */
@@ -190,7 +180,7 @@ class Prediction {
     element.classList.toggle("kl-asking", !answered);
     if (!scene.items.length) return element.append(this.node);
     this.before = this.live?.leave() ?? null;
-    this.live = mount(element, answered ? this.told() : this.open(), this.gated(),
+    this.live = mount(element, answered ? this.told() : this.open(), this.joints,
       answered ? this.formula : "", this.before, this.pointing);
     element.querySelector(".kl-head")?.append(this.node);
   }

@@ -176,13 +176,16 @@ def test_while_it_is_open_the_arm_stands_still_and_shows_no_number(opened, page)
         expect(view.get_by_role("button", name=name)).to_have_count(0)
     link = view.locator("#link-1-0 path").first
     before = link.get_attribute("d")
-    at = middle(link)
-    page.mouse.move(*at)
-    page.mouse.down()
-    page.mouse.move(at[0], at[1] - 80, steps=4)
-    page.mouse.up()
-    settle(page)
-    assert link.get_attribute("d") == before
+    at = middle(view.locator("#joint-2 path").first)
+    for start in (middle(link), at, (at[0] - 25, at[1])):
+        page.mouse.move(*start)
+        page.mouse.down()
+        page.mouse.move(start[0], start[1] - 80, steps=4)
+        page.mouse.up()
+        settle(page)
+        assert link.get_attribute("d") == before
+        for name in ("θ₁, shoulder", "θ₂, elbow"):
+            expect(view.get_by_label(f"{name}, number")).to_have_value("0.0")
 
 
 def test_nothing_is_committed_before_there_is_an_answer(opened):
