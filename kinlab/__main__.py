@@ -73,10 +73,19 @@ def _site(options: argparse.Namespace) -> int:
     """Turn the lessons into pages that move. Open OUT/index.html, or put the folder on any web
     server. Older files of the same names are replaced.
     """
+    _need("site")
     from .course import site
 
     site.build(options.out, progress=True)
     return 0
+
+
+def _need(extra: str) -> None:
+    """Stop with a sentence if what a verb needs is not installed."""
+    from .course.handout import not_installed
+
+    if lacking := not_installed(extra):
+        raise ValueError(lacking)
 
 
 def _lite(options: argparse.Namespace) -> int:
@@ -88,6 +97,7 @@ def _lite(options: argparse.Namespace) -> int:
 
 def _notebooks(options: argparse.Namespace) -> int:
     """Run notebooks afresh and save their outputs. Says which of them changed."""
+    _need("site")
     from .course import notebooks
 
     return notebooks.refresh(options.paths, check=options.check)

@@ -11,6 +11,8 @@ _HERE = Path(__file__).resolve().parent
 CARRIED = _HERE / "lessons"  # in a wheel; pyproject.toml puts notebooks/ there
 FOLDER = CARRIED if CARRIED.is_dir() else _HERE.parents[1] / "notebooks"
 FIRST = "00_start_here.ipynb"
+# What a verb needs besides what kinlab itself does; pyproject.toml has the same extras.
+EXTRAS = {"lab": ("jupyterlab",), "site": ("nbconvert", "ipykernel")}
 
 
 def all_notebooks() -> list[Path]:
@@ -69,12 +71,19 @@ def writing(argument: str, folder: Path) -> Iterator[None]:
 
 def open_lab(folder: Path) -> int:
     """Open the first lesson in JupyterLab, until it is stopped; 1 if it is not installed."""
-    if not find_spec("jupyterlab"):
-        print("JupyterLab is not installed, so the lessons are not opened. Install it with\n"
-              f"    {sys.executable} -m pip install jupyterlab\nand run this again.",
-              file=sys.stderr)
+    if lacking := not_installed("lab"):
+        print(f"The lessons are not opened: {lacking}", file=sys.stderr)
         return 1
     from jupyterlab.labapp import LabApp
 
     LabApp.launch_instance([str((folder / FIRST).resolve())])
     return 0
+
+
+def not_installed(extra: str) -> str:
+    """Which packages of an extra are not there and how to install them; "" if all are."""
+    lacking = [name for name in EXTRAS[extra] if not find_spec(name)]
+    if not lacking:
+        return ""
+    return (f"{' and '.join(lacking)} {'are' if lacking[1:] else 'is'} not installed; run\n"
+            f"    {sys.executable} -m pip install {' '.join(lacking)}\nand then this again.")

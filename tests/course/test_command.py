@@ -1,7 +1,10 @@
 """The command: its verbs, and the words it has for what cannot be done."""
 import json
+import re
 import subprocess
 import sys
+import tomllib
+from pathlib import Path
 
 import nbformat
 import pytest
@@ -11,6 +14,7 @@ from nbformat.v4 import new_code_cell, new_notebook
 from kinlab import __main__ as command
 from kinlab.course import handout, notebooks, site
 
+ROOT = Path(__file__).parents[2]
 VERBS = ("lessons", "site", "lite", "notebooks")
 
 
@@ -135,8 +139,29 @@ def test_without_jupyterlab_the_lessons_are_copied_and_it_says_how_to_install_it
     monkeypatch.setattr(handout, "find_spec", lambda name: None)
     assert command.main(["lessons", str(tmp_path / "mine")]) == 1
     said = capsys.readouterr()
-    assert "Copied: 00_start_here" in said.out and "pip install jupyterlab" in said.err
+    assert "Copied: 00_start_here" in said.out and "pip install jupyterlab\n" in said.err
 
+
+@pytest.mark.parametrize("arguments", [["site", "out"], ["notebooks"]])
+def test_without_what_runs_notebooks_a_verb_says_how_to_install_it(arguments, tmp_path):
+    """In a Python that has kinlab's own dependencies only, and none of its extras."""
+    absent = ["nbconvert", "nbclient", "nbformat", "ipykernel", "jupyterlab"]
+    code = (f"import sys; sys.modules.update(dict.fromkeys({absent}))\n"
+            f"from kinlab.__main__ import main; main({arguments!r})")
+    run = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True,
+                         cwd=tmp_path)
+    assert run.returncode == 2 and "Traceback" not in run.stderr
+    assert run.stderr.startswith("kinlab: nbconvert and ipykernel are not installed; run\n")
+    assert f"{sys.executable} -m pip install nbconvert ipykernel\n" in run.stderr
+    assert not (tmp_path / "out").exists()
+
+
+def test_what_a_verb_asks_for_is_what_its_extra_installs():
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text())["project"]
+    extras = project["optional-dependencies"]
+    for extra, names in handout.EXTRAS.items():
+        assert [re.match(r"[\w-]+", line)[0] for line in extras[extra]] == list(names)
+    assert not any("jupyterlab" in line for line in project["dependencies"])
 
 def test_lessons_are_copied_without_waiting_for_what_runs_them(tmp_path):
     modules = loaded_by("lessons", str(tmp_path / "mine"), "--copy-only")
