@@ -18,6 +18,7 @@ from reading import (
 
 import kinlab as kl
 
+pytestmark = pytest.mark.usefixtures("own_kernel")
 THREE_D = (-60, 24, 1)
 ALPHA = kl.robots.alpha_ii
 SHOW = "import kinlab as kl, numpy as np\nview = kl.ArmView(kl.robots.alpha_ii())\nview"
