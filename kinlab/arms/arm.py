@@ -15,6 +15,7 @@ from numpy.typing import ArrayLike
 from . import inputs, printed
 from .link import FIXED, REVOLUTE, Link
 from .motions import ROTATE, TRANSLATE, Frame, Motion, X, Z, follow, matrix, motions_of
+from .route import Route
 
 # A DH convention is only an order of the same four motions.
 CONVENTIONS = {
@@ -101,6 +102,11 @@ class Arm:
         joints = accumulate((int(link.kind != FIXED) for link in self.links), initial=0)
         links = (_link_motions(link, i, self.convention) for link, i in zip(self.links, joints))
         return (motions_of(self.base), *links, motions_of(self.tool))
+
+    @cached_property
+    def route(self) -> Route:
+        """The chain, ready for single poses in plain floats."""
+        return Route.along(self.chain)
 
     def __repr__(self) -> str:
         return "\n".join([self._title(), *printed.lines(self.table())])

@@ -69,14 +69,13 @@ def real_array(name: str, value: Any, expected: str,
     except (TypeError, ValueError, OverflowError):
         advice = for_symbols if _holds_symbols(value) else _PLAIN
         raise ValueError(f"{name}: expected {expected}, got {brief(value)}; {advice}") from None
-    largest = farthest(array)
-    if not np.isfinite(largest):
+    if within(array, LARGEST):
+        return array
+    if not np.isfinite(farthest(array)):
         raise ValueError(f"{name}: expected finite numbers, got {brief(value)}; "
                          "look for a division by zero or an empty cell")
-    if largest > LARGEST:
-        raise ValueError(f"{name}: expected numbers up to {LARGEST:g}, got {brief(value)}; "
-                         "look for a slip in a unit or an exponent")
-    return array
+    raise ValueError(f"{name}: expected numbers up to {LARGEST:g}, got {brief(value)}; "
+                     "look for a slip in a unit or an exponent")
 
 
 def _floats(array: np.ndarray) -> np.ndarray:
@@ -96,6 +95,8 @@ def shaped(name: str, value: Any, shape: tuple[int, ...], expected: str) -> np.n
 
 def number(name: str, value: Any, for_symbols: str = _PLAIN) -> float:
     """One finite number."""
+    if type(value) in (int, float) and -LARGEST <= value <= LARGEST:
+        return float(value)
     array = real_array(name, value, "a number", for_symbols)
     if array.shape != ():
         raise ValueError(f"{name}: expected one number, got shape {array.shape}")
@@ -252,10 +253,16 @@ def angle(name: str, value: Any) -> Any:
 def in_radians(name: str, angles: ArrayLike) -> None:
     """Say a word where angles go so far that they are degrees, most likely."""
     angles = np.ravel(angles)
-    if farthest(angles) > TWO_TURNS:
+    if not within(angles, TWO_TURNS):
         angle = float(angles[np.abs(angles).argmax()])
         note(f"{name}: {angle:.6g} is {abs(angle) / (2 * math.pi):.3g} turns; "
              f"angles are in radians: np.radians({angle:.6g})")
+
+
+def within(numbers: np.ndarray, most: float) -> bool:
+    """Whether all numbers are finite and none is farther from 0 than the most."""
+    # The sum of squares tells at once where they are few and small, as one pose is.
+    return bool(np.vdot(numbers, numbers) <= most * most or farthest(numbers) <= most)
 
 
 def farthest(numbers: np.ndarray) -> float:

@@ -31,7 +31,7 @@ def joint_array(arm: Arm, q: Any, name: str = "q") -> np.ndarray:
 def given_joints(arm: Arm, q: Any, name: str = "q") -> np.ndarray:
     """Joint values as in `joint_array`, with a word where they look like degrees."""
     q = joint_array(arm, q, name)
-    if inputs.farthest(q) > inputs.TWO_TURNS:  # or a slide in millimetres
+    if not inputs.within(q, inputs.TWO_TURNS):  # or a slide in millimetres
         inputs.in_radians(name, q[..., [link.kind == REVOLUTE for link in arm.joints]])
     return q
 

@@ -11,7 +11,8 @@ import numpy as np
 from .arm import Arm, check_arm
 from .joints import given_joints
 from .link import PRISMATIC, Link
-from .motions import ROTATE, Frame, Motion, Values, along, cross, difference, matrix, stack
+from .motions import ROTATE, Frame, Motion, Values, along, cross, difference
+from .route import array, pose
 
 # Poses worked on at a time, so that all components of a frame stay in the processor's cache.
 CHUNK = 4096
@@ -47,6 +48,8 @@ def forward_kinematics(arm: Arm, q: Any) -> np.ndarray:
 
 def tool_poses(arm: Arm, q: np.ndarray) -> np.ndarray:
     """`forward_kinematics` at joint values that were checked, or worked out."""
+    if q.ndim == 1:
+        return array(pose(arm.route.places(q.tolist())[-1]))
     return _matrices([tuple(chain(*arm.chain))], q)[..., 0, :, :]
 
 
@@ -81,6 +84,9 @@ def link_frames(arm: Arm, q: Any) -> np.ndarray:
 
 def frame_poses(arm: Arm, q: np.ndarray) -> np.ndarray:
     """`link_frames` at joint values that were checked, or worked out."""
+    if q.ndim == 1:
+        places = arm.route.places(q.tolist())
+        return array([pose(places[end]) for end in arm.route.ends[:-1]])
     return _matrices(arm.chain[:-1], q)
 
 
@@ -114,9 +120,9 @@ def jacobian(arm: Arm, q: Any) -> np.ndarray:
            [2., 1.]])
     """
     q = given_joints(arm, q)
-    motions = tuple(chain(*arm.chain))
     if q.ndim == 1:
-        return stack([*zip(*tool_and_twists(motions, q.tolist())[1])])
+        return array([*zip(*arm.route.twists(arm.route.places(q.tolist())))])
+    motions = tuple(chain(*arm.chain))
     J = np.empty((*q.shape[:-1], 6, arm.n))
     flat, out = q.reshape(-1, arm.n), J.reshape(-1, 6, arm.n)
     for start in range(0, len(flat), CHUNK):
@@ -187,8 +193,6 @@ def axis_frames(arm: Arm) -> list[int]:
 
 def _matrices(stretches: Sequence[Sequence[Motion]], q: np.ndarray) -> np.ndarray:
     """Frames after each stretch of motions, shape (..., len(stretches), 4, 4)."""
-    if q.ndim == 1:  # plain floats are faster than arrays of one
-        return np.stack([matrix(frame) for frame in along(stretches, q.tolist())])
     poses = np.empty((*q.shape[:-1], len(stretches), 4, 4))
     flat, out = q.reshape(-1, q.shape[-1]), poses.reshape(-1, len(stretches), 4, 4)
     for start in range(0, len(flat), CHUNK):
