@@ -14,7 +14,7 @@ angles = exact_angles | st.floats(-7, 7, allow_subnormal=False)
 typed_lengths = st.integers(-2000, 2000).map(lambda k: k / 1000)  # decimals, as a student types
 lengths = st.just(0.0) | typed_lengths | st.floats(-2, 2, allow_subnormal=False)
 points = arrays(float, 3, elements=lengths)
-batch_shapes = st.sampled_from([(), (0,), (1,), (3,), (2, 3), (2, 0), (1, 2, 2)])
+batch_shapes = st.sampled_from([(), (0,), (1,), (3,), (2, 3), (2, 0), (1, 2, 2), (3, 4)])
 
 
 @st.composite

@@ -2,7 +2,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from itertools import chain
 from typing import Any
 
@@ -12,10 +12,10 @@ from .arm import Arm, check_arm
 from .joints import given_joints
 from .link import PRISMATIC, Link
 from .motions import ROTATE, Frame, Motion, Values, along, cross, difference
-from .route import array, pose
 
 # Poses worked on at a time, so that all components of a frame stay in the processor's cache.
 CHUNK = 4096
+FEW = 8  # poses: up to here one after the other in plain floats is ahead of arrays
 
 
 def forward_kinematics(arm: Arm, q: Any) -> np.ndarray:
@@ -48,8 +48,8 @@ def forward_kinematics(arm: Arm, q: Any) -> np.ndarray:
 
 def tool_poses(arm: Arm, q: np.ndarray) -> np.ndarray:
     """`forward_kinematics` at joint values that were checked, or worked out."""
-    if q.ndim == 1:
-        return array(pose(arm.route.places(q.tolist())[-1]))
+    if _few(arm, q):
+        return _one_by_one(arm.route.pose, q, 4, 4)
     return _matrices([tuple(chain(*arm.chain))], q)[..., 0, :, :]
 
 
@@ -84,9 +84,8 @@ def link_frames(arm: Arm, q: Any) -> np.ndarray:
 
 def frame_poses(arm: Arm, q: np.ndarray) -> np.ndarray:
     """`link_frames` at joint values that were checked, or worked out."""
-    if q.ndim == 1:
-        places = arm.route.places(q.tolist())
-        return array([pose(places[end]) for end in arm.route.ends[:-1]])
+    if _few(arm, q):
+        return _one_by_one(arm.route.frames, q, len(arm.links) + 1, 4, 4)
     return _matrices(arm.chain[:-1], q)
 
 
@@ -120,8 +119,8 @@ def jacobian(arm: Arm, q: Any) -> np.ndarray:
            [2., 1.]])
     """
     q = given_joints(arm, q)
-    if q.ndim == 1:
-        return array([*zip(*arm.route.twists(arm.route.places(q.tolist())))])
+    if _few(arm, q):
+        return _one_by_one(arm.route.jacobian, q, 6, arm.n)
     motions = tuple(chain(*arm.chain))
     J = np.empty((*q.shape[:-1], 6, arm.n))
     flat, out = q.reshape(-1, arm.n), J.reshape(-1, 6, arm.n)
@@ -189,6 +188,17 @@ def axis_frames(arm: Arm) -> list[int]:
     """Index of the link frame whose z is the axis of each joint."""
     first = 0 if arm.convention == "standard" else 1
     return [row + first for row in arm.rows]
+
+
+def _few(arm: Arm, q: np.ndarray) -> bool:
+    return q.size <= FEW * arm.n
+
+
+def _one_by_one(made: Callable[[list[float]], Sequence], q: np.ndarray, *shape: int) -> np.ndarray:
+    """What is made of the joint values of each pose, shape (..., *shape)."""
+    each = [made(pose) for pose in q.reshape(-1, q.shape[-1]).tolist()]
+    # With one nought: -0.0 is the other, and would be printed so.
+    return np.array(each).reshape(*q.shape[:-1], *shape) + 0.0
 
 
 def _matrices(stretches: Sequence[Sequence[Motion]], q: np.ndarray) -> np.ndarray:

@@ -10,8 +10,6 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from itertools import accumulate
 
-import numpy as np
-
 from .motions import ROTATE, Motion, cos_sin
 
 Vector = Sequence[float]
@@ -42,6 +40,19 @@ class Route:
         return cls(tuple((m.kind == ROTATE, m.axis, m.amount, m.joint, m.sign)
                          for motions in stretches for m in motions),
                    tuple(accumulate(map(len, stretches))))
+
+    def pose(self, q: Vector) -> list[tuple[float, ...]]:
+        """The homogeneous matrix at the end, row by row."""
+        return _rows(self.places(q)[-1])
+
+    def frames(self, q: Vector) -> list[list[tuple[float, ...]]]:
+        """The homogeneous matrices after each stretch but the last, which is the tool's."""
+        places = self.places(q)
+        return [_rows(places[end]) for end in self.ends[:-1]]
+
+    def jacobian(self, q: Vector) -> list[tuple[float, ...]]:
+        """The Jacobian of the end, row by row."""
+        return [*zip(*self.twists(self.places(q)))]
 
     def places(self, q: Vector, start: Place = ROOM) -> list[Place]:
         """Where the frame is at the start and after each step, at the joint values `q`."""
@@ -77,15 +88,10 @@ class Route:
         return twists
 
 
-def pose(place: Place) -> list[tuple[float, ...]]:
-    """The rows of a homogeneous matrix."""
+def _rows(place: Place) -> list[tuple[float, ...]]:
+    """The homogeneous matrix of a frame."""
     (x, y, z), origin = place
     return [*zip(x, y, z, origin), (0.0, 0.0, 0.0, 1.0)]
-
-
-def array(rows: Sequence) -> np.ndarray:
-    """Floats as an array, with one nought: -0.0 is the other, and would be printed so."""
-    return np.array(rows) + 0.0
 
 
 def _turned(axes: Sequence[Vector], axis: int, angle: float) -> list[Vector]:

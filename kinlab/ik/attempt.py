@@ -1,13 +1,15 @@
-"""One attempt from start to verdict: search, check by forward kinematics, find the reason."""
+"""What came of an attempt: the check by forward kinematics, the reason, the way there."""
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from math import degrees
 
 import numpy as np
 
-from ..arms.kinematics import tool_poses, typical_length
-from .descent import METHODS, search, singular_values
+from ..arms.kinematics import tool_poses
+from .descent import search, singular_values
+from .single import Step
 from .task import Task, rotation_vectors, seen_from
 
 RESTARTS, STEPS = 30, 100  # of the damped method, unless asked otherwise
@@ -41,32 +43,26 @@ class Iterate:
 class Attempt:
     """Targets (m, 4, 4) looked for from q0 (m, n), and what came of it.
 
-    `trail` is a list where the steps of all starts are kept, or a `Trail` that forgets them.
+    `q` (n, m) and `iterations` (m,) are what a search found, and how many steps it took.
     """
 
-    def __init__(self, task: Task, targets: np.ndarray, q0: np.ndarray, *, method: str,
-                 restarts: int, seed: int, steps: int, trail: list) -> None:
+    def __init__(self, task: Task, targets: np.ndarray, q0: np.ndarray, q: np.ndarray,
+                 iterations: np.ndarray, *, method: str, seed: int, **_: int) -> None:
         self.task, self.targets, self.q0 = task, targets, q0
-        self.method, self.restarts, self.seed, self.steps = method, restarts, seed, steps
-        self.trail, self.seen = trail, seen_from(targets)
-        found = search(task, METHODS[method], self.seen, q0.T, restarts=restarts, steps=steps,
-                       seed=seed, trail=trail)
-        self.q, self.iterations, self.name = task.settled(found.q, q0.T).T, found.steps, found.name
+        self.method, self.seed = method, seed
+        self.q, self.iterations = task.settled(q, q0.T).T, iterations
         self.misses = self._misses(self.q, targets)
         position, rotation = self.misses
-        self.success = ((position <= task.tolerance * typical_length(task.arm))
+        self.success = ((position <= task.tolerance * task.length)
                         & (rotation <= task.tolerance))
 
-    def history(self) -> tuple[Iterate, ...]:
+    def history(self, trail: Sequence[Step]) -> tuple[Iterate, ...]:
         """The steps of the start that led to the first target's result."""
-        mine = [(q[:, names == self.name[0]], error[names == self.name[0]])
-                for names, q, error in self.trail]
-        q = np.concatenate([q for q, _ in mine], axis=1)
-        errors = np.concatenate([error for _, error in mine])
-        first = np.zeros(q.shape[1], int)
-        about = (np.sqrt(2 * errors), _condition(self._sizes(q, first)),
-                 *self._misses(q.T, self.targets[first]))
-        return tuple(Iterate(row, *map(float, rest)) for row, *rest in zip(q.T, *about))
+        q = np.array([q for q, _ in trail])
+        first = np.zeros(len(trail), int)
+        about = (np.sqrt(2 * np.array([error for _, error in trail])),
+                 _condition(self._sizes(q.T, first)), *self._misses(q, self.targets[first]))
+        return tuple(Iterate(row, *map(float, rest)) for row, *rest in zip(q, *about))
 
     def messages(self) -> list[str]:
         """For each target: reached, or why not."""
@@ -106,7 +102,7 @@ class Attempt:
         """Whether damped steps from many starts reach some of the targets."""
         if not len(these):
             return np.zeros(0, bool)
-        found = search(task, METHODS["damped"], self.seen[..., these], self.q0[these].T,
+        found = search(task, seen_from(self.targets[these]), self.q0[these].T, method="damped",
                        restarts=RESTARTS, steps=STEPS, seed=self.seed)
         return found.reached
 
@@ -136,7 +132,7 @@ class Attempt:
 
     def _sizes(self, q: np.ndarray, owner: np.ndarray) -> np.ndarray:
         """Singular values (m, k) of the weighted Jacobian at joint values (n, m)."""
-        return singular_values(self.task.errors(self.seen[..., owner], q)[0])
+        return singular_values(self.task.errors(seen_from(self.targets[owner]), q)[0])
 
 
 def _ranks(sizes: np.ndarray) -> np.ndarray:

@@ -17,12 +17,14 @@ MOST = 32      # lanes of one target at a time
 REVIEW = 5     # a lane that has not halved its error in so many steps leaves its place to another
 LEAST, SOFTER, HARDER = 0.1, 0.5, 4.0  # damping, as a multiple of the error
 LARGE = 0.3    # an error beyond this is damped no harder
+FEW = 12       # lanes: up to here LAPACK is ahead
 FLOOR = 1e-12  # keeps the damped equations solvable where the error is zero
 SINGULAR = 1e-9  # times the largest singular value: less counts as zero
 IDLE = 1e-12     # what moves the tool less, in parts of the reach per radian, does not move it
 TINY = np.finfo(float).tiny
 
-Rule = Callable[[np.ndarray, np.ndarray, np.ndarray], np.ndarray]
+Damping = np.ndarray | float  # of each lane
+Rule = Callable[[np.ndarray, np.ndarray, Damping], np.ndarray]
 
 
 @dataclass
@@ -30,7 +32,6 @@ class Lanes:
     """Starts under way. Every array's last axis runs over them."""
 
     owner: np.ndarray       # which target
-    name: np.ndarray        # which start
     seen: np.ndarray        # (4, 3, m): the room seen from the target
     q: np.ndarray           # (n, m)
     best_q: np.ndarray
@@ -42,10 +43,10 @@ class Lanes:
     still: np.ndarray       # whether the last step moved nothing
 
     @classmethod
-    def begin(cls, owner: np.ndarray, name: np.ndarray, seen: np.ndarray, q: np.ndarray) -> Lanes:
+    def begin(cls, owner: np.ndarray, seen: np.ndarray, q: np.ndarray) -> Lanes:
         m = len(owner)
         worst = np.full(m, np.inf)
-        return cls(owner, name, seen, q, q, worst, worst, worst, np.full(m, LEAST),
+        return cls(owner, seen, q, q, worst, worst, worst, np.full(m, LEAST),
                    np.zeros_like(owner), np.zeros(m, bool))
 
     def __len__(self) -> int:
@@ -98,23 +99,22 @@ class Search:
     def __post_init__(self) -> None:
         m = self.q.shape[1]
         self.error = np.full(m, np.inf)  # -1 where reached
-        self.name = np.arange(m)         # the start that led there
         self.steps = np.zeros(m, int)    # of all starts together
         self.left = np.full(m, self.restarts)
         self.failed = np.zeros(m, bool)  # by at least one start
-        self.names, self.rng = m, np.random.default_rng(self.seed)
+        self.rng = np.random.default_rng(self.seed)
 
     @property
     def reached(self) -> np.ndarray:
         return self.error < 0
 
     def first(self) -> Lanes:
-        return self._begin(self.name, self.name, self.task.allowed(self.q))
+        return self._begin(np.arange(len(self.error)), self.task.allowed(self.q))
 
     def again(self) -> Lanes:
         """From the best that was found, for the targets that were not reached."""
         unreached = np.flatnonzero(~self.reached)
-        return self._begin(unreached, self.name[unreached], self.q[:, unreached])
+        return self._begin(unreached, self.q[:, unreached])
 
     def fresh(self, lanes: Lanes) -> Lanes:
         """Random starts for targets that have failed: one each, or as many as there is room."""
@@ -128,9 +128,7 @@ class Search:
         if not len(owner):
             return lanes
         self.left = self.left - wanted
-        name = self.names + np.arange(len(owner))
-        self.names += len(owner)
-        return lanes.beside(self._begin(owner, name, self._starts(owner)))
+        return lanes.beside(self._begin(owner, self._starts(owner)))
 
     def note(self, ended: Lanes, reached: np.ndarray) -> None:
         """Take in where lanes ended; the best of several for one target is written last."""
@@ -142,7 +140,6 @@ class Search:
         order = order[error[order] < self.error[ended.owner[order]]]
         owner = ended.owner[order]
         self.q[:, owner], self.error[owner] = q[:, order], error[order]
-        self.name[owner] = ended.name[order]
 
     def _starts(self, owner: np.ndarray) -> np.ndarray:
         """Random starts; a joint that does not count, such as a tool's roll for a point, stays."""
@@ -150,27 +147,25 @@ class Search:
         J, _ = self.task.errors(self.seen[..., owner], q)
         return np.where(np.abs(J).max(axis=1) > IDLE, q, self.q[:, owner])
 
-    def _begin(self, owner: np.ndarray, name: np.ndarray, q: np.ndarray) -> Lanes:
-        return Lanes.begin(owner, name, self.seen[..., owner], q)
+    def _begin(self, owner: np.ndarray, q: np.ndarray) -> Lanes:
+        return Lanes.begin(owner, self.seen[..., owner], q)
 
 
-def search(task: Task, rule: Rule, seen: np.ndarray, q0: np.ndarray, *, restarts: int,
-           steps: int, seed: int, trail: list | None = None) -> Search:
+def search(task: Task, seen: np.ndarray, q0: np.ndarray, *, method: str, restarts: int,
+           steps: int, seed: int) -> Search:
     """Descend from q0, then from random starts, until each target is reached or none is left.
 
-    `seen` has shape (4, 3, m) and `q0` (n, m). What every lane does is added to `trail`.
+    `seen` has shape (4, 3, m) and `q0` (n, m).
     """
-    found = Search(task, seen, q0.copy(), restarts, seed)
-    trail = Trail() if trail is None else trail
+    found, rule = Search(task, seen, q0.copy(), restarts, seed), METHODS[method]
     if restarts:
-        descend(found, found.first(), rule, steps, trail)
+        descend(found, found.first(), rule, steps)
     lanes = found.again() if restarts else found.first()
-    descend(found, lanes, rule, steps, trail, patient=True)
+    descend(found, lanes, rule, steps, patient=True)
     return found
 
 
-def descend(found: Search, lanes: Lanes, rule: Rule, steps: int, trail: list, *,
-            patient: bool = False) -> None:
+def descend(found: Search, lanes: Lanes, rule: Rule, steps: int, *, patient: bool = False) -> None:
     """Step all lanes until each has reached its target, is stuck, or has used up its steps.
 
     The impatient also leave a lane that is slow, to begin anew elsewhere; the patient go on
@@ -179,7 +174,6 @@ def descend(found: Search, lanes: Lanes, rule: Rule, steps: int, trail: list, *,
     while len(lanes):
         J, e = found.task.errors(lanes.seen, lanes.q)
         lanes.judge(0.5 * np.sum(e * e, axis=0))
-        trail.append((lanes.name, lanes.q, lanes.error))
         reached = found.task.reached(e)
         stop = reached | lanes.still | (lanes.age == steps)
         if not patient:
@@ -193,24 +187,18 @@ def descend(found: Search, lanes: Lanes, rule: Rule, steps: int, trail: list, *,
             lanes = found.fresh(lanes)
 
 
-class Trail(list):
-    """A trail that nobody asked for."""
-
-    def append(self, _: object) -> None:
-        """Forget it."""
-
-
-def damped(J: np.ndarray, e: np.ndarray, damping: np.ndarray) -> np.ndarray:
+def damped(J: np.ndarray, e: np.ndarray, damping: Damping) -> np.ndarray:
     """Levenberg-Marquardt: -(J^T J + damping)^-1 J^T e, with damping that falls with the error.
 
     After Chan and Lawrence (1988), who take the damping in proportion to the squared error.
     """
     A = np.einsum("ikm,jkm->ijm", J, J)
-    A[np.arange(len(J)), np.arange(len(J))] += damping + FLOOR * (1 + np.trace(A))
+    diagonal = np.einsum("iim->im", A)
+    diagonal += damping + FLOOR * (1 + diagonal.sum(axis=0))
     return -_solve(A, np.einsum("ikm,km->im", J, e))
 
 
-def newton(J: np.ndarray, e: np.ndarray, _: np.ndarray) -> np.ndarray:
+def newton(J: np.ndarray, e: np.ndarray, _: Damping) -> np.ndarray:
     """-J^-1 e; no step where J has no inverse."""
     inverse_exists = singular_values(J)[:, -1] > SINGULAR * singular_values(J)[:, 0]
     safe = np.where(inverse_exists[:, None, None], _matrices(J), np.eye(len(J)))
@@ -218,12 +206,12 @@ def newton(J: np.ndarray, e: np.ndarray, _: np.ndarray) -> np.ndarray:
     return -np.where(inverse_exists[:, None], steps, 0).T
 
 
-def pseudoinverse(J: np.ndarray, e: np.ndarray, _: np.ndarray) -> np.ndarray:
+def pseudoinverse(J: np.ndarray, e: np.ndarray, _: Damping) -> np.ndarray:
     """-J^+ e, the shortest step among those that come nearest."""
     return -(np.linalg.pinv(_matrices(J), rcond=SINGULAR) @ e.T[..., None])[..., 0].T
 
 
-def transpose(J: np.ndarray, e: np.ndarray, _: np.ndarray) -> np.ndarray:
+def transpose(J: np.ndarray, e: np.ndarray, _: Damping) -> np.ndarray:
     """-c J^T e, with the c that would bring J dq nearest to -e."""
     down = np.einsum("ikm,km->im", J, e)
     moved = np.einsum("ikm,im->km", J, down)
@@ -245,11 +233,13 @@ def singular_values(J: np.ndarray) -> np.ndarray:
 
 
 def _solve(A: np.ndarray, g: np.ndarray) -> np.ndarray:
-    """A^-1 g for symmetric positive A (n, n, m) and g (n, m), by elimination; both are used up.
+    """A^-1 g for symmetric positive A (n, n, m) and g (n, m); both are used up.
 
-    For small matrices in many lanes this is faster than LAPACK, one matrix after the other.
+    Elimination over all lanes is faster than LAPACK, one small matrix after the other.
     """
-    n = len(g)
+    n, m = g.shape
+    if m <= FEW:
+        return np.linalg.solve(A.transpose(2, 0, 1), g.T[..., None])[..., 0].T
     for j in range(n - 1):
         factors = A[j + 1:, j] / A[j, j]
         A[j + 1:, j + 1:] -= factors[:, None] * A[None, j, j + 1:]

@@ -15,9 +15,11 @@ from ..arms import inputs
 from ..arms.arm import Arm, check_arm
 from ..arms.joints import given_joints
 from ..arms.kinematics import tool_poses
+from . import single
 from .attempt import RESTARTS, STEPS, Attempt, Iterate
-from .descent import METHODS, Trail
-from .task import Task
+from .descent import METHODS, search
+from .single import Step
+from .task import Task, seen_from
 
 BATCH = 4096  # targets worked on at a time: bounds the memory
 
@@ -50,8 +52,12 @@ class InverseResult:
     position_error: float
     rotation_error: float
     pose: np.ndarray = field(repr=False)
-    history: tuple[Iterate, ...] = field(repr=False)
     _attempt: Attempt = field(repr=False)
+    _trail: list[Step] = field(repr=False)
+
+    @cached_property
+    def history(self) -> tuple[Iterate, ...]:
+        return self._attempt.history(self._trail)
 
     @cached_property
     def message(self) -> str:
@@ -126,11 +132,12 @@ def inverse_kinematics(arm: Arm, target: Any, q0: Any = None, *, method: str = "
     check_arm(arm)
     poses, count = _targets("target", target, ())
     task, options = _task(arm, count, weights, limits, tolerance, method, restarts, seed, steps)
-    attempt = Attempt(task, poses, _starts(arm, q0, ()), trail=[], **options)
+    starts = _starts(arm, q0, ())
+    found = single.search(task, seen_from(poses), starts.T, **options)
+    attempt = Attempt(task, poses, starts, found.q, found.steps, **options)
     position, rotation = attempt.misses[:, 0].tolist()
     return InverseResult(attempt.q[0], bool(attempt.success[0]), int(attempt.iterations[0]),
-                         position, rotation, tool_poses(arm, attempt.q[0]),
-                         attempt.history(), attempt)
+                         position, rotation, tool_poses(arm, attempt.q[0]), attempt, found.trail)
 
 
 def inverse_kinematics_batch(arm: Arm, targets: Any, q0: Any = None, *, method: str = "damped",
@@ -164,8 +171,9 @@ def inverse_kinematics_batch(arm: Arm, targets: Any, q0: Any = None, *, method: 
     task, options = _task(arm, count, weights, limits, tolerance, method, restarts, seed, steps)
     starts = _starts(arm, q0, (len(poses),))
     parts = [slice(k, k + BATCH) for k in range(0, max(len(poses), 1), BATCH)]
-    attempts = tuple(Attempt(task, poses[part], starts[part], trail=Trail(), **options)
-                     for part in parts)
+    found = [search(task, seen_from(poses[part]), starts[part].T, **options) for part in parts]
+    attempts = tuple(Attempt(task, poses[part], starts[part], these.q, these.steps, **options)
+                     for part, these in zip(parts, found))
     position, rotation = np.concatenate([attempt.misses for attempt in attempts], axis=1)
     return InverseBatch(np.concatenate([attempt.q for attempt in attempts]),
                         np.concatenate([attempt.success for attempt in attempts]),

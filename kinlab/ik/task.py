@@ -6,9 +6,12 @@ with radians. Arrays keep their last axis for the places, called m.
 """
 from __future__ import annotations
 
+import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import chain
+from typing import Any
 
 import numpy as np
 
@@ -16,10 +19,12 @@ from ..arms.arm import Arm
 from ..arms.joints import WHOLE_TURN, joint_limits
 from ..arms.kinematics import reach, tool_and_joints, twist, typical_length
 from ..arms.link import REVOLUTE
-from ..arms.motions import ROTATE, TRANSLATE, Frame, cross
+from ..arms.motions import ROTATE, TRANSLATE, Frame
+from ..arms.route import Place, Vector
 
 Places = slice | np.ndarray
 AIM = 0.99  # of the tolerance, so that rounding does not undo what was reached
+HALF = -0.9999  # a rotation whose cosine is below this has no sine to tell its axis by
 
 
 @dataclass(frozen=True)
@@ -41,8 +46,13 @@ class Task:
         return _where(self.weights)
 
     @cached_property
+    def length(self) -> float:
+        """The length that counts as much as a radian."""
+        return typical_length(self.arm)
+
+    @cached_property
     def scale(self) -> np.ndarray:
-        lengths = np.repeat([typical_length(self.arm), 1.0], 3)
+        lengths = np.repeat([self.length, 1.0], 3)
         return (self.weights / lengths)[self.rows, None]
 
     @cached_property
@@ -73,8 +83,8 @@ class Task:
 
     def starts(self, rng: np.random.Generator, count: int) -> np.ndarray:
         """Random joint values within the limits, shape (n, count)."""
-        length = typical_length(self.arm)
-        low, high = joint_limits(self.arm, turn=WHOLE_TURN, slide=(-length, length))[..., None]
+        slide = -self.length, self.length
+        low, high = joint_limits(self.arm, turn=WHOLE_TURN, slide=slide)[..., None]
         return rng.uniform(low, high, (self.arm.n, count))
 
     @cached_property
@@ -94,6 +104,20 @@ class Task:
         """The nearest joint values between the walls; angles are near across a whole turn too."""
         low, high = self.walls
         return np.clip(q - np.isfinite(high) * self._turns(q - self.middle), low, high)
+
+    @cached_property
+    def gates(self) -> list[tuple[float, float, float | None]]:
+        """Of each joint its walls, and the angle about which whole turns are taken off."""
+        low, high = self.walls
+        wraps = self.revolute & np.isfinite(high)
+        return [(*ends, middle if wrap else None) for *ends, middle, wrap
+                in np.hstack([low, high, self.middle, wraps]).tolist()]
+
+    def kept(self, q: Vector) -> list[float]:
+        """`allowed` at one place, in plain floats."""
+        near = [x if middle is None else x - math.tau * round((x - middle) / math.tau)
+                for x, (_, _, middle) in zip(q, self.gates)]
+        return [min(max(x, low), high) for x, (low, high, _) in zip(near, self.gates)]
 
     def settled(self, q: np.ndarray, near: np.ndarray) -> np.ndarray:
         """The same pose, whole turns taken off: within the limits, or else nearest to `near`."""
@@ -122,8 +146,18 @@ class Task:
         if self.turns:
             e[3:] = rotation_vectors(np.array([axis for (axis,) in tool.settled()]))
         if self.lopsided:
-            J[:, 3:] = _rates(e[3:], J[:, 3:])
+            J[:, 3:] = np.einsum("klm,nlm->nkm", _rates(e[3:]), J[:, 3:])
         return J[:, self.rows] * self.scale, e[self.rows] * self.scale
+
+    def error(self, seen: Place, q: Vector) -> tuple[np.ndarray, np.ndarray]:
+        """`errors` at one place, by plain floats: Jacobian (n, rows) and error (rows)."""
+        places = self.arm.route.places(q, seen)
+        axes, origin = places[-1]
+        J = np.array(self.arm.route.twists(places))
+        e = np.array([*origin, *(rotation_vector(axes) if self.turns else (0.0, 0.0, 0.0))])
+        if self.lopsided:
+            J[:, 3:] = J[:, 3:] @ _rates(e[3:].tolist()).T
+        return J[:, self.rows] * self.scale[:, 0], e[self.rows] * self.scale[:, 0]
 
     @cached_property
     def turns(self) -> bool:
@@ -138,8 +172,17 @@ class Task:
         """Whether weighted errors (rows, m) are within the tolerance."""
         squares = np.square(e / self.weights[self.rows, None])
         places = np.count_nonzero(self.weights[:3])
-        most = np.square(AIM * self.tolerance)
-        return (squares[:places].sum(axis=0) <= most) & (squares[places:].sum(axis=0) <= most)
+        return ((squares[:places].sum(axis=0) <= self.most)
+                & (squares[places:].sum(axis=0) <= self.most))
+
+    def is_reached(self, e: np.ndarray) -> bool:
+        """`reached` at one place; a glance at the weighted error tells while it is large."""
+        return bool(e @ e <= 4 * self.most and self.reached(e[:, None])[0])
+
+    @cached_property
+    def most(self) -> float:
+        """The largest squared error in position, and in rotation."""
+        return (AIM * self.tolerance) ** 2
 
 
 def seen_from(targets: np.ndarray) -> np.ndarray:
@@ -155,10 +198,21 @@ def rotation_vectors(R: np.ndarray) -> np.ndarray:
     cos, sin = 0.5 * (R[0, 0] + R[1, 1] + R[2, 2] - 1), np.sqrt(np.sum(v * v, axis=0))
     angle = np.arctan2(sin, cos)
     vectors = v * np.where(sin > 1e-9, angle / np.maximum(sin, 1e-9), 1)
-    half = cos < -0.9999  # here v fades, but the symmetric part of R shows the axis
+    half = cos < HALF  # here v fades, but the symmetric part of R shows the axis
     if half.any():
         vectors[:, half] = angle[half] * _axes_of_half_turns(R[..., half], v[:, half])
     return vectors
+
+
+def rotation_vector(axes: Sequence[Vector]) -> Vector:
+    """`rotation_vectors` of one rotation, given by its axes, in plain floats."""
+    (a, b, c), (d, e, f), (g, h, i) = axes
+    v = 0.5 * (f - h), 0.5 * (g - c), 0.5 * (b - d)
+    cos, sin = 0.5 * (a + e + i - 1), math.hypot(*v)
+    if cos < HALF:
+        return rotation_vectors(np.array(axes)[..., None])[:, 0].tolist()
+    stretch = math.atan2(sin, cos) / sin if sin > 1e-9 else 1.0
+    return [stretch * component for component in v]
 
 
 def _axes_of_half_turns(R: np.ndarray, v: np.ndarray) -> np.ndarray:
@@ -171,16 +225,19 @@ def _axes_of_half_turns(R: np.ndarray, v: np.ndarray) -> np.ndarray:
     return sign * axes / np.sqrt(np.sum(axes * axes, axis=0))
 
 
-def _rates(v: np.ndarray, w: np.ndarray) -> np.ndarray:
-    """How fast rotation vectors v (3, m) change at angular velocities w (n, 3, m), exactly.
+def _rates(v: Any) -> np.ndarray:
+    """What makes rates of a rotation vector v (3, ...) of angular velocities, shape (3, 3, ...).
 
-    v' = w - (v x w) / 2 + b v x (v x w), Bullo and Murray (1995).
+    v' = w - (v x w) / 2 + b v x (v x w), Bullo and Murray (1995), exactly.
     """
-    angle = np.maximum(np.sqrt(np.sum(v * v, axis=0)), 1e-4)
+    x, y, z = v
+    square = x * x + y * y + z * z
+    angle = np.maximum(np.sqrt(square), 1e-4)
     b = (1 - 0.5 * angle / np.tan(0.5 * angle)) / angle ** 2
-    first = cross(v, _apart(w))
-    return _apart(np.array([rate - 0.5 * once + b * twice for rate, once, twice
-                            in zip(_apart(w), first, cross(v, first))]))
+    k, x_, y_, z_ = 1 - b * square, 0.5 * x, 0.5 * y, 0.5 * z
+    return np.array([[k + b * x * x, b * x * y + z_, b * x * z - y_],
+                     [b * x * y - z_, k + b * y * y, b * y * z + x_],
+                     [b * x * z + y_, b * y * z - x_, k + b * z * z]])
 
 
 def _apart(vectors: np.ndarray) -> np.ndarray:

@@ -317,10 +317,10 @@ def test_the_best_of_several_starts_is_kept():
     arm = kl.robots.two_link()
     found = Search(Task(arm, np.ones(6), 1e-6), seen_from(np.eye(4)[None]), np.zeros((2, 1)), 0, 0)
     q = np.array([[1.0, 2, 3, 4], [5, 6, 7, 8]])
-    lanes = Lanes.begin(np.zeros(4, int), np.arange(4), found.seen[..., [0] * 4], q)
+    lanes = Lanes.begin(np.zeros(4, int), found.seen[..., [0] * 4], q)
     lanes.best_error = np.array([3.0, 1, 2, 9])
     found.note(lanes, np.zeros(4, bool))
-    assert found.name[0] == 1 and found.error[0] == 1 and found.q[:, 0].tolist() == [2, 6]
+    assert found.error[0] == 1 and found.q[:, 0].tolist() == [2, 6]
     found.note(lanes, np.array([False, False, False, True]))
     assert found.reached[0] and found.q[:, 0].tolist() == [4, 8]
 
@@ -372,6 +372,59 @@ def test_a_batch_is_its_single_targets():
         result = kl.inverse_kinematics(arm, target, restarts=0)
         assert result.success == found.success[k] and result.iterations == found.iterations[k]
         close(result.q, found.q[k], atol=1e-9)
+
+
+ROLL_FREE, POINT, LOPSIDED = [1, 1, 1, 1, 1, 0], [1, 1, 1, 0, 0, 0], [1, 2, 0, 0.5, 0, 1]
+
+
+@course
+@pytest.mark.parametrize("weights", [None, ROLL_FREE, POINT, LOPSIDED])
+@pytest.mark.parametrize("method, far, most", [("damped", 1, 7), ("transpose", 1, 7),
+                                               ("pseudoinverse", 0.2, 2)])
+def test_one_target_takes_the_steps_of_many(robot, weights, method, far, most):
+    """Plain floats and arrays: the same places after the same steps, at the limits too.
+
+    The pseudoinverse leaps, far away and near a singular pose: there the last bit decides.
+    """
+    arm = robot()
+    targets, q = reachable(arm, 3, seed=9)
+    starts = q + far * (q[::-1] - q)
+    for steps in (1, 2, most):
+        options = dict(weights=weights, method=method, steps=steps, restarts=0)
+        found = kl.inverse_kinematics_batch(arm, targets, starts, **options)
+        for k, result in enumerate(kl.inverse_kinematics(arm, target, start, **options)
+                                   for target, start in zip(targets, starts)):
+            close(result.q, found.q[k], atol=1e-7 * max(1, np.abs(result.q).max()))
+            assert result.iterations == found.iterations[k]
+            assert len(result.history) == result.iterations + 1
+            assert result.message == found.message[k]
+
+
+@given(arms(most=6), st.integers(0, 10**6), st.sampled_from([1, 2, 5]))
+@settings(max_examples=50)
+def test_error_and_jacobian_at_one_place_are_those_at_many(arm, seed, heavy):
+    rng = np.random.default_rng(seed)
+    weights = np.array([1, 1, 0.5, 1, 1, 1 / heavy])
+    task = Task(arm, weights, 1e-6)
+    q, targets = rng.uniform(-3, 3, (4, arm.n)), np.array([tool(arm, rng.uniform(-3, 3, arm.n))])
+    targets = np.concatenate([targets, [tool(arm, q[1]) @ rigid(turn((0.6, 0, 0.8), pi - 1e-8))],
+                              [tool(arm, q[2])], targets])
+    seen = seen_from(targets)
+    J, e = task.errors(seen, q.T)
+    kept = task.allowed(5 * q.T)
+    for k, place in enumerate(seen.transpose(2, 0, 1).tolist()):
+        J_one, e_one = task.error((place[:3], place[3]), q[k].tolist())
+        close(J_one, J[..., k], atol=1e-9)
+        close(e_one, e[:, k], atol=1e-9)
+        assert task.is_reached(e_one) == task.reached(e)[k] == (k == 2)
+        close(task.kept((5 * q[k]).tolist()), kept[:, k], atol=1e-12)
+
+
+def test_whole_turns_are_taken_off_about_the_middle_of_the_limits():
+    arm = kl.Arm([kl.revolute(a=1, limits=(1, 4)), kl.prismatic(limits=(1, 4)), kl.revolute(a=1)])
+    task, q = Task(arm, np.ones(6), 1e-6), [-4.0, -4.0, -4.0]
+    close(task.kept(q), [2 * pi - 4, 1, -4])
+    close(task.allowed(np.array([q]).T)[:, 0], [2 * pi - 4, 1, -4])
 
 
 def test_batches_larger_than_a_part_and_empty_ones():
