@@ -40,7 +40,11 @@ def _parser() -> argparse.ArgumentParser:
                          help="where the copies go; default: %(default)s, in this folder")
     lessons.add_argument("--copy-only", action="store_true", help="do not open JupyterLab")
     verb(_site).add_argument("out", metavar="OUT", type=Path, help="the folder for the pages")
-    verb(_lite).add_argument("out", metavar="OUT", type=Path, help="the folder for the pages")
+    lite = verb(_lite)
+    lite.add_argument("out", metavar="OUT", type=Path, help="the folder for the site")
+    lite.add_argument("--pyodide", metavar="FOLDER", type=Path,
+                      help="a folder with Pyodide 0.27, for places without a network; "
+                           "without it, browsers load Pyodide from its public address")
     notebooks = verb(_notebooks)
     notebooks.add_argument("--check", action="store_true",
                            help="write nothing; fail if a notebook would change")
@@ -89,10 +93,14 @@ def _need(extra: str) -> None:
 
 
 def _lite(options: argparse.Namespace) -> int:
-    """Turn the lessons into notebooks that run in a browser. Not there yet."""
-    print("kinlab lite is not there yet; 'kinlab site OUT' makes pages that need no server.",
-          file=sys.stderr)
-    return 1
+    """Turn the lessons into notebooks that run in a browser, with nothing to install. Put OUT on
+    any web server; it may hold the pages of 'kinlab site', which then lead to the notebooks.
+    """
+    _need("lite")
+    from .course import lite
+
+    lite.build(options.out, options.pyodide, tell=lambda line: print(line, file=sys.stderr))
+    return 0
 
 
 def _notebooks(options: argparse.Namespace) -> int:

@@ -107,7 +107,7 @@ def test_pyplot_is_never_used():
 # ---- JavaScript ----
 
 HOSTS = {"widget", "saved_views", "host_jupyter", "host_table", "host_page", "host_course",
-         "host_predict", "page_views"}
+         "host_predict", "host_lite", "page_views"}
 
 
 def lines(path):

@@ -12,7 +12,8 @@ CARRIED = _HERE / "lessons"  # in a wheel; pyproject.toml puts notebooks/ there
 FOLDER = CARRIED if CARRIED.is_dir() else _HERE.parents[1] / "notebooks"
 FIRST = "00_start_here.ipynb"
 # What a verb needs besides what kinlab itself does; pyproject.toml has the same extras.
-EXTRAS = {"lab": ("jupyterlab",), "site": ("nbconvert", "ipykernel")}
+EXTRAS = {"lab": ("jupyterlab",), "site": ("nbconvert", "ipykernel"),
+          "lite": ("jupyterlite_core", "jupyterlite_pyodide_kernel", "jupyter_server", "nbformat")}
 
 
 def all_notebooks() -> list[Path]:

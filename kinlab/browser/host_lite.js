@@ -1,0 +1,77 @@
+// In JupyterLite: a fresh copy of a lesson, and a word where a saved copy is of an older edition.
+// The browser keeps what a student saves and shows that ever after, whatever is published later.
+
+const FRESH = "kinlab:fresh-copy";
+
+// The published edition of each lesson, by its path; kinlab/course/lite.py puts it into the page.
+const editions = JSON.parse(document.getElementById("kinlab-editions")?.textContent ?? "{}");
+
+/** @param {any} app JupyterLab; the lesson in front, if one is there */
+function lessonIn(app) {
+    const {context, content} = app.shell.currentWidget ?? {};
+    return context?.path in editions ? {context, content} : {};
+}
+
+/**
+ * Keep the student's copy under another name, which its tab takes too, and open the lesson anew.
+ * @param {any} app
+ */
+async function freshCopy(app) {
+    const {context} = lessonIn(app), {contents} = app.serviceManager;
+    if (!context) return;
+    const {path} = context;
+    await context.save();
+    const folder = await contents.get(path.slice(0, Math.max(0, path.lastIndexOf("/"))));
+    const taken = folder.content.map((/** @type {any} */ file) => file.path);
+    await contents.rename(path, freeName(path, taken));
+    await app.commands.execute("docmanager:open", {path});
+}
+
+/** @param {string} path @param {string[]} taken */
+function freeName(path, taken) {
+    const stem = path.replace(/\.ipynb$/, " my copy");
+    let name = `${stem}.ipynb`;
+    for (let k = 2; taken.includes(name); k++) name = `${stem} ${k}.ipynb`;
+    return name;
+}
+
+/** @param {any} app @param {Set<string>} told the lessons of which it was said already */
+async function sayIfOlder(app, told) {
+    const {context, content} = lessonIn(app);
+    if (!context) return;
+    await context.ready;
+    const {path} = context, edition = content.model?.getMetadata("kinlab")?.edition;
+    if (told.has(path) || edition === editions[path]) return;
+    told.add(path);
+    app.commands.execute("apputils:notify", {
+        message: "This is your saved copy. A newer version of this lesson is here. "
+            + "A fresh copy opens it and keeps yours beside it.",
+        type: "info",
+        options: {autoClose: false, actions: [{label: "Fresh copy", commandId: FRESH}]},
+    });
+}
+
+/** @param {any} app */
+async function begin(app) {
+    app.commands.addCommand(FRESH, {
+        label: "Fresh copy of this lesson",
+        caption: "Opens this lesson as it was published; your copy stays, under another name",
+        isVisible: () => "content" in lessonIn(app),
+        execute: () => freshCopy(app),
+    });
+    await app.restored;
+    const told = new Set();
+    const look = () => {
+        app.commands.notifyCommandChanged(FRESH);
+        sayIfOlder(app, told);
+    };
+    app.shell.currentChanged.connect(look);
+    look();
+}
+
+const waiting = setInterval(() => {
+    const app = /** @type {any} */ (window).jupyterapp;
+    if (!app) return;
+    clearInterval(waiting);
+    begin(app);
+}, 50);
