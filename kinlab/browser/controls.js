@@ -14,7 +14,6 @@ const HANDLE = 22;                                  // px, as in live.css
  * @param {(event: KeyboardEvent) => void} act
  */
 function ownKeys(node, act) {
-  node.setAttribute("data-lm-suppress-shortcuts", "true");
   node.addEventListener("keydown", (event) => {
     if (event.ctrlKey || event.metaKey || event.altKey) return;
     act(event);

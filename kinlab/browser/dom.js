@@ -19,9 +19,6 @@ export function make(tag, attributes = {}, ...children) {
   return node;
 }
 
-/** What a notebook asks of an element whose keys it is not to hear. */
-export const OWN_KEYS = { "data-lm-suppress-shortcuts": "true" };
-
 /**
  * A button that calls `action` with itself.
  * @param {string} text
@@ -30,8 +27,7 @@ export const OWN_KEYS = { "data-lm-suppress-shortcuts": "true" };
  * @param {Record<string, unknown>} attributes
  */
 export function button(text, title, action, attributes = {}) {
-  const node = make("button", { type: "button", class: "kl-button", title,
-    ...OWN_KEYS, ...attributes }, text);
+  const node = make("button", { type: "button", class: "kl-button", title, ...attributes }, text);
   node.addEventListener("click", () => action(node));
   return node;
 }

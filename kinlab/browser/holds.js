@@ -1,7 +1,7 @@
 // What can be held in a picture: points that knobs bring to the hand, and joints by their links.
 // Each has an element that takes the focus, tells its name and state, and a ring in the picture.
 
-import { OWN_KEYS, make, number, tidy } from "./dom.js";
+import { make, number, tidy } from "./dom.js";
 import { roomPoint } from "./frames.js";
 import { jointMotion } from "./handles.js";
 import { drawn, put } from "./svg.js";
@@ -38,7 +38,7 @@ export class Hold {
     this.alone = knobs.length === 1;
     this.node = make("div", { class: "kl-hold", tabindex: "-1", hidden: "", "aria-label": this.name,
       "data-joint": handle ? null : knobs[0] + 1, role: this.alone ? "slider" : "button",
-      ...OWN_KEYS, "aria-roledescription": this.alone ? null : "handle",
+      "aria-roledescription": this.alone ? null : "handle",
       "aria-valuemin": this.alone ? tidy(low / scale) : null,
       "aria-valuemax": this.alone ? tidy(high / scale) : null });
     this.ring = drawn("circle", { r: RING_RADIUS, class: handle ? "kl-ring kl-point" : "kl-ring" });

@@ -1,13 +1,21 @@
 // The script of a view's widget.
 
 import { make } from "./dom.js";
+import { keepKeys } from "./notebook_keys.js";
 import { showView } from "./widget.js";
 
 /** @import { Host } from "./types.js" */
 
 /** @param {Host} host */
-const render = ({ model, el }) => model.get("folded")
-  ? folded(el, (place) => showView(model, place)) : showView(model, el);
+function render({ model, el }) {
+  const free = keepKeys(el);
+  const leave = model.get("folded")
+    ? folded(el, (place) => showView(model, place)) : showView(model, el);
+  return () => {
+    free();
+    leave();
+  };
+}
 
 /**
  * A view that answers a prediction: it is drawn when it is opened.

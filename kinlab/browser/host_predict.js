@@ -1,5 +1,6 @@
 // The script of a prediction's widget: its answers are the widget's, and the notebook keeps them.
 
+import { keepKeys } from "./notebook_keys.js";
 import { ask } from "./predict.js";
 import { keptAnswers } from "./saved_views.js";
 import { showView } from "./widget.js";
@@ -34,9 +35,13 @@ function modelSheet(model) {
 
 /** @param {Host} host */
 function render({ model, el }) {
-  const sheet = modelSheet(model);
-  return showView(model, el, undefined, (place, scene, joints, formula = "", _, pointing) =>
+  const sheet = modelSheet(model), free = keepKeys(el);
+  const leave = showView(model, el, undefined, (place, scene, joints, formula = "", _, pointing) =>
     ask(place, scene, joints, formula, pointing, sheet));
+  return () => {
+    free();
+    leave();
+  };
 }
 
 export default { render };

@@ -2,6 +2,7 @@
 
 import { make } from "./dom.js";
 import { lightUp, pointFrom, walkThrough } from "./hover.js";
+import { keepKeys } from "./notebook_keys.js";
 import { Pointing } from "./pointing.js";
 import { showTable } from "./table.js";
 import { showView } from "./widget.js";
@@ -22,7 +23,7 @@ function render({ model, el }) {
   el.append(table, panel, arm);
   fill();
   model.on("change:panel", fill);
-  const ends = [showTable(model, table, light), showView(model, arm, pointing),
+  const ends = [keepKeys(el), showTable(model, table, light), showView(model, arm, pointing),
                 pointing.listen(light), ...beside.map((part) => pointFrom(part, pointing))];
   return () => {
     model.off("change:panel", fill);

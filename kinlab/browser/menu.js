@@ -1,6 +1,6 @@
 // A button that opens a panel of further controls. Escape closes it; arrow keys walk through it.
 
-import { OWN_KEYS, button, claim, hear, make } from "./dom.js";
+import { button, claim, hear, make } from "./dom.js";
 
 const ONWARD = ["ArrowDown", "ArrowRight"], BACKWARD = ["ArrowUp", "ArrowLeft"];
 let panels = 0;                                     // so far: each has an id of its own
@@ -57,7 +57,6 @@ export function menu(text, title, panel, attributes = {}, stays = false) {
     claim(event);
   };
   panel.hidden = true;
-  panel.setAttribute("data-lm-suppress-shortcuts", "true");
   for (const node of [opener, panel]) node.addEventListener("keydown", key);
   return [opener, panel];
 }
@@ -70,8 +69,8 @@ export function menu(text, title, panel, attributes = {}, stays = false) {
  * @param {(choice: string) => void} choose
  */
 export function picker(prompt, title, groups, choose) {
-  const list = make("select", { class: "kl-button", title, "aria-label": title,
-    ...OWN_KEYS }, make("option", { value: "" }, prompt),
+  const list = make("select", { class: "kl-button", title, "aria-label": title },
+    make("option", { value: "" }, prompt),
     ...groups.map(({ label, options }) => make("optgroup", { label },
       ...options.map((text) => make("option", {}, text)))));
   list.addEventListener("change", () => list.value && choose(list.value));

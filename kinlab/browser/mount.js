@@ -6,7 +6,7 @@ import { Bar } from "./bar.js";
 import { Chart } from "./chart.js";
 import { follower } from "./chase.js";
 import { Controls } from "./controls.js";
-import { OWN_KEYS, make, number, write } from "./dom.js";
+import { make, number, write } from "./dom.js";
 import { fitFormula } from "./formula.js";
 import { inRoom, seenFrom } from "./frames.js";
 import { Grasp } from "./grasp.js";
@@ -96,7 +96,6 @@ class View {
     this.picture = new Picture(scene);
     this.shrunk = make("div", { class: "kl-shrunk", "aria-hidden": "true" });
     this.box = make("div", { class: "kl-picture", tabindex: "0", role: "application",
-      ...OWN_KEYS,
       "style": `--kl-aspect: ${scene.size.join(" / ")}` }, this.picture.svg, this.shrunk);
     this.hands = new Grasp(this.box, this.picture, joints, () => this.redraw());
     const turns = seenFlat(scene) ? "Plus" : "Arrow keys turn the view, plus";

@@ -55,12 +55,16 @@ class Lab:
 
 
 @contextmanager
-def start_lab(root: Path | str) -> Iterator[Lab]:
-    """A JupyterLab server that shows `root`, untouched by the user's own settings."""
+def start_lab(root: Path | str, python: Path | str = sys.executable,
+              app: str = "jupyterlab") -> Iterator[Lab]:
+    """A JupyterLab server that shows `root`, untouched by the user's own settings.
+
+    `python` is whose packages it uses, `app` the module it runs: "notebook" is Notebook 7.
+    """
     with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as home:
         port, token = _free_port(), secrets.token_hex(16)
         lab = Lab(f"http://127.0.0.1:{port}", token, Path(home, "server.log"))
-        command = [sys.executable, "-m", "jupyterlab", "--no-browser", "--allow-root",
+        command = [str(python), "-m", app, "--no-browser", "--allow-root",
                    "--expose-app-in-browser", f"--ServerApp.root_dir={Path(root).resolve()}",
                    f"--ServerApp.port={port}", "--ServerApp.port_retries=0",
                    f"--IdentityProvider.token={token}"]
