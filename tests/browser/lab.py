@@ -20,7 +20,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
-from urllib.error import URLError
+from urllib.error import HTTPError, URLError
 from urllib.request import urlopen
 
 from playwright.sync_api import Browser, Page, sync_playwright
@@ -59,15 +59,13 @@ def start_lab(root: Path | str, python: Path | str = sys.executable,
               app: str = "jupyterlab") -> Iterator[Lab]:
     """A JupyterLab server that shows `root`, untouched by the user's own settings.
 
-    `python` is whose packages it uses, `app` the module it runs: "notebook" is Notebook 7.
+    `python` is whose packages it uses, `app` the module it runs: "notebook" is Notebook 7, and
+    "voila" shows the only notebook in `root`.
     """
     with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as home:
         port, token = _free_port(), secrets.token_hex(16)
         lab = Lab(f"http://127.0.0.1:{port}", token, Path(home, "server.log"))
-        command = [str(python), "-m", app, "--no-browser", "--allow-root",
-                   "--expose-app-in-browser", f"--ServerApp.root_dir={Path(root).resolve()}",
-                   f"--ServerApp.port={port}", "--ServerApp.port_retries=0",
-                   f"--IdentityProvider.token={token}"]
+        command = [str(python), "-m", app, "--no-browser", *_options(app, port, token, root)]
         with lab.log.open("wb") as log:
             server = subprocess.Popen(command, stdout=log, stderr=log, env=_private(Path(home)))
         try:
@@ -162,6 +160,15 @@ def _private(home: Path) -> dict[str, str]:
     return os.environ | {name: str(home / place) for name, place in places.items()}
 
 
+def _options(app: str, port: int, token: str, root: Path | str) -> list[str]:
+    if app == "voila":                              # shows the one notebook that is in the folder
+        (notebook,) = Path(root).resolve().glob("*.ipynb")
+        return [str(notebook), f"--port={port}", f"--token={token}"]
+    return ["--allow-root", "--expose-app-in-browser",
+            f"--ServerApp.root_dir={Path(root).resolve()}", f"--ServerApp.port={port}",
+            "--ServerApp.port_retries=0", f"--IdentityProvider.token={token}"]
+
+
 def _free_port() -> int:
     with socket.socket() as probe:
         probe.bind(("127.0.0.1", 0))
@@ -174,9 +181,11 @@ def _wait(server: subprocess.Popen, lab: Lab) -> None:
         try:
             with urlopen(f"{lab.url}/api?token={lab.token}", timeout=5):
                 return
+        except HTTPError:                           # Voila has no such address, but it answers
+            return
         except (URLError, OSError):
             time.sleep(0.1)
-    raise RuntimeError(f"JupyterLab did not start:\n{lab.log.read_text()}")
+    raise RuntimeError(f"The server did not start:\n{lab.log.read_text()}")
 
 
 def _stop(server: subprocess.Popen) -> None:

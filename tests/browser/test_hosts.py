@@ -106,7 +106,7 @@ def heard(page, degrees):
 @contextmanager
 def cell_stays(page):
     """The notebook, where there is one, stays at its cell."""
-    at = "window.jupyterapp?.shell.currentWidget.content.activeCellIndex"
+    at = "window.jupyterapp?.shell.currentWidget?.content?.activeCellIndex"
     before = page.evaluate(at)
     yield
     assert page.evaluate(at) == before
