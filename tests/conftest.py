@@ -13,9 +13,11 @@ exercises.SECONDS = 60.0
 
 
 @pytest.fixture(scope="session")
-def course_site(tmp_path_factory):
-    """The folder of the whole site, built once for all tests; it takes about half a minute."""
-    from kinlab.course import site
+def course_site(request, tmp_path_factory):
+    """The folder of the site: of all lessons for thorough tests, else of three."""
+    from kinlab.course import handout, site
+    whole = any(item.get_closest_marker("thorough") for item in request.session.items)
     folder = tmp_path_factory.mktemp("site") / "new" / "course"
-    site.build(folder)
+    site.build(folder, None if whole else [handout.FOLDER / f"{name}.ipynb" for name in
+                                           ("00_start_here", "01_translation", "07_alpha_ii")])
     return folder

@@ -6,9 +6,10 @@ import nbformat
 import pytest
 from lab import open_browser, open_notebook, run_all, run_code, shut_down_kernels, start_lab
 from plain import LOAD, SOURCE
-from playwright.sync_api import Error
+from playwright.sync_api import Error, expect
 from reading import RESTED
 
+expect.set_options(timeout=30_000)  # a busy machine takes its time
 KERNEL = {"name": "python3", "display_name": "Python 3", "language": "python"}
 # JupyterLab's own, when a notebook is closed before its debugger has answered.
 HARMLESS = "Could not restore the debugger state"

@@ -28,7 +28,7 @@ from playwright.sync_api import Browser, Page, sync_playwright
 CHROMIUM_ARGS = ["--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run",
                  "--disable-background-networking", "--disable-component-update",
                  "--disable-sync"]
-START_SECONDS = 60
+START_SECONDS = 180
 
 # Without these JupyterLab asks, over the page, whether it may fetch news and updates.
 QUIET = {"@jupyterlab/apputils-extension/notification.jupyterlab-settings":

@@ -6,6 +6,8 @@ frames and an orthographic projection; of Python's framing only the scale is tak
 from __future__ import annotations
 
 import ast
+import time
+from contextlib import contextmanager
 from functools import cache
 
 import numpy as np
@@ -65,6 +67,29 @@ RESTED = at_rest("""() => [...document.querySelectorAll('.kl-view')].map(view =>
 })""")
 
 
+# Each picture comes so many ms after the last one, by the page's own clock.
+STEADY = """ms => {
+    const [ask, clock] = [requestAnimationFrame, performance.now];
+    let now = performance.now();
+    window.requestAnimationFrame = draw => ask(() => draw(now += ms));
+    performance.now = () => now;
+    window.unsteady = () => {
+        window.requestAnimationFrame = ask;
+        performance.now = clock;
+    };
+}"""
+
+
+@contextmanager
+def steady(page: Page, ms: float = 8):
+    """Within it, a movement has as many pictures as on any machine."""
+    page.evaluate(STEADY, ms)
+    try:
+        yield
+    finally:
+        page.evaluate("unsteady()")
+
+
 @cache
 def scene_of(robot):
     return arm_scene(robot())
@@ -89,6 +114,7 @@ def take(handle: Locator) -> tuple[float, float]:
     handle.hover()
     page.mouse.down()
     expect(handle).to_be_focused()  # what was pressed is the slider
+    settle(page)  # its own step is a picture, too
     return middle(handle)
 
 
@@ -196,9 +222,10 @@ def wait_for_readouts(view: Locator, values, digits: int = 1) -> None:
 def wait_for_kernel(page: Page, robot, values, name: str = "view") -> np.ndarray:
     """Wait until Python's joint values are those of the sliders, rounded; Python's values."""
     rounding = np.where([link.kind == "revolute" for link in robot().links], 0.051, 0.0051)
-    for _ in range(60):
+    end = time.monotonic() + 60
+    while time.monotonic() < end:
         q = kernel_q(page, name)
-        if np.all(np.abs(in_units(robot, q) - values) < rounding):
+        if np.all(np.abs(in_units(robot, q)[:len(values)] - values) < rounding[:len(values)]):
             return q
         page.wait_for_timeout(50)
     raise AssertionError(f"Python has {in_units(robot, q)}, the sliders show {values}")

@@ -102,7 +102,7 @@ def test_tab_goes_through_the_cells_and_commits(table):
     expect(cell(editor, 2, "θ")).to_be_focused()
     expect(cell(editor, 1, "α")).to_have_value("-80")
     row = "['1', 'revolute', 'θ1*', '10', '200', '50', '-80']"
-    for _ in range(30):  # the last cell may still be on its way to Python
+    for _ in range(300):  # the last cell may still be on its way to Python
         if python(editor, "repr(editor).splitlines()[2].split()") == row:
             break
         page.wait_for_timeout(100)

@@ -4,6 +4,7 @@ import time
 import nbformat
 import numpy as np
 import pytest
+from grades import chosen
 from lab import open_notebook, run_all, run_code, shut_down_kernels
 from playwright.sync_api import expect
 from reading import (
@@ -76,7 +77,7 @@ def test_a_drag_tells_python_ten_times_a_second_and_the_last_value(live, busy):
     run_code(page, busy)
     view.evaluate(LISTEN)
     drag(view, 1, 0.5, 0.85, 1.0)
-    page.wait_for_timeout(500)
+    page.wait_for_function("said.length && said.at(-1)[2] === shown.at(-1)")
     said, shown, drawn = page.evaluate("[said, shown, drawn.size]")
     assert shown == sorted(shown)  # no echo of an older value moved the slider back
     assert most_in_a_second(said) <= 11 and len(said) > 3
@@ -93,11 +94,10 @@ def test_play_and_keys_tell_python_ten_times_a_second(live):
     page, home = view.page, [0, 0, 0, -90, 0]
     view.evaluate(LISTEN)
     view.locator("[data-part=play]").click()
-    page.wait_for_timeout(1500)
+    page.wait_for_function("said.length > 3 && drawn.size > 3")
     view.locator("[data-part=play]").click()
     said, drawn = page.evaluate("[said, drawn.size]")
-    assert most_in_a_second(said) <= 11 and len(said) > 3
-    assert drawn > 3  # how many more depends on the machine
+    assert most_in_a_second(said) <= 11 and drawn > 3
     view.get_by_role("button", name="Home", exact=True).click()
     wait_for_readouts(view, home)
     np.testing.assert_allclose(wait_for_kernel(page, ALPHA, home), ALPHA().home, atol=1e-12)
@@ -134,7 +134,8 @@ def assert_moves_alone(view, k=1):
     assert_table(seen, ALPHA, np.radians(values), 1)
 
 
-@pytest.mark.parametrize("end", [RESTART, KILL, SHUT_DOWN], ids=["restart", "kill", "shut down"])
+@pytest.mark.parametrize("end", chosen(
+    [RESTART, KILL, SHUT_DOWN], ["restart", "kill"], ["restart", "kill", "shut down"]))
 def test_without_its_kernel_a_view_moves_and_says_that_python_is_gone(live, end):
     view, again = live(SHOW, "view", views=2)
     page = view.page

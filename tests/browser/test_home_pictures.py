@@ -1,5 +1,6 @@
 """Every view of the lessons as it is seen first: letters one can read, no name on another."""
 import pytest
+from grades import crossed
 from lesson_views import VIEWS
 from measured import DRAWN, MEASURE
 
@@ -25,8 +26,7 @@ def measured(browser, tmp_path_factory):
     page.close()
 
 
-@pytest.mark.parametrize("width", WIDTHS)
-@pytest.mark.parametrize("name", VIEWS)
+@pytest.mark.parametrize("name, width", crossed(VIEWS, WIDTHS))
 def test_a_view_can_be_read_at_home(measured, name, width):
     seen = measured(name, width)
     assert seen["overlap"] == ""

@@ -3,6 +3,7 @@ import re
 
 import numpy as np
 import pytest
+from grades import crossed
 from lesson_views import VIEWS
 from painted import STYLE, assert_same_view
 from plain import MOUNT
@@ -17,21 +18,19 @@ def styled(blank):
     return blank
 
 
-@pytest.mark.parametrize("make", VIEWS.values(), ids=VIEWS)
-def test_a_lessons_view_moves_as_python_says(styled, make):
-    view = make()
+@pytest.mark.parametrize("name, share", crossed(VIEWS, [0.31, 0.77]))
+def test_a_lessons_view_moves_as_python_says(styled, name, share):
+    view = VIEWS[name]()
     scene = view._scene
     low, high = np.array([(knob.low, knob.high) for knob in view._scene.knobs]).T
-    for share in (0.31, 0.77):
-        view._move(low + share * (high - low))
-        q = view._values.tolist()
-        styled.evaluate(MOUNT, [view.scene, q])
-        np.testing.assert_allclose(js_frames(styled, scene, q), scene.frames(q),
-                                   rtol=1e-9, atol=1e-9)
-        styled.evaluate(SETTLE)
-        assert_same_view(styled, scene, q, scene.seen_from, scene.shown)
-        assert_formulas(styled, view)
-        styled.evaluate("live.dismount()")
+    view._move(low + share * (high - low))
+    q = view._values.tolist()
+    styled.evaluate("window.live?.dismount()")
+    styled.evaluate(MOUNT, [view.scene, q])
+    np.testing.assert_allclose(js_frames(styled, scene, q), scene.frames(q), rtol=1e-9, atol=1e-9)
+    styled.evaluate(SETTLE)
+    assert_same_view(styled, scene, q, scene.seen_from, scene.shown)
+    assert_formulas(styled, view)
 
 
 def assert_formulas(page, view):

@@ -1,6 +1,7 @@
 """The site in a real browser, from the disk and with the network off: it moves and is readable."""
 import numpy as np
 import pytest
+from grades import chosen
 from playwright.sync_api import expect
 from reading import SETTLE, assert_picture, assert_table, from_units, read
 
@@ -69,7 +70,7 @@ def assert_fits_phones(page):
         assert page.evaluate("document.documentElement.scrollWidth") == width
 
 
-@pytest.mark.parametrize("name", LESSONS)
+@pytest.mark.parametrize("name", chosen(LESSONS, ["01_translation", "07_alpha_ii"]))
 def test_a_lessons_views_move_its_formulas_are_drawn_and_it_fits_phones(visit, name):
     page = visit(name)
     views = page.locator(".kl-view:has(.kl-picture svg)").count()
@@ -81,7 +82,8 @@ def test_a_lessons_views_move_its_formulas_are_drawn_and_it_fits_phones(visit, n
     assert_fits_phones(page)
 
 
-@pytest.mark.parametrize("name", [name for name in LESSONS if not name.startswith("appendix")])
+@pytest.mark.parametrize("name", chosen(
+    [name for name in LESSONS if not name.startswith("appendix")], ["07_alpha_ii"]))
 def test_every_term_of_a_lesson_lights_its_view(visit, name):
     """The view that stands right above or below it in the lesson, and no other."""
     page = visit(name)
@@ -116,6 +118,7 @@ def test_numbers_of_a_lesson_follow_its_arm(visit):
     assert page.evaluate("location.hash") == ""
 
 
+@pytest.mark.thorough
 def test_a_reader_walks_through_the_course(visit):
     page, seen = visit("index"), []
     while page.locator("a[rel=next]").count():

@@ -4,7 +4,7 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 from plain import LOAD, MOUNT, SOURCE
-from reading import kernel_q, middle, settle
+from reading import kernel_q, middle, settle, wait_for_kernel
 from test_plain_page import COURSE, js_frames
 
 import kinlab as kl
@@ -108,6 +108,11 @@ def test_home_and_joints_take_the_target_along(page):
     page.wait_for_function("q => joints.q.every((v, k) => Math.abs(v - q[k]) < 1e-9)", arg=start)
 
 
+def joints_of(view, n):
+    """What the fields of the joints show."""
+    return [float(field.input_value()) for field in view.locator(".kl-field").all()[:n]]
+
+
 def test_drag_the_target_in_jupyterlab(live):
     (view,) = live("import kinlab as kl\nview = kl.TargetView(kl.robots.two_link())\nview")
     page, arm = view.page, kl.robots.two_link()
@@ -125,8 +130,7 @@ def test_drag_the_target_in_jupyterlab(live):
     assert np.hypot(tool[0] - right, tool[1] - down) < 2
     assert "error |p* − p| = 0.000 m after" in view.locator(".kl-readings").inner_text()
     page.mouse.up()
-    page.wait_for_timeout(300)
-    after = kernel_q(page)
+    after = wait_for_kernel(page, kl.robots.two_link, joints_of(view, 2))
     assert np.max(np.abs(after - before)) > 0.1
     moved = kl.forward_kinematics(arm, after)[:2, 3] - kl.forward_kinematics(arm, before)[:2, 3]
     np.testing.assert_allclose(moved, np.array([-100, -60]) / scale, atol=2 / scale)
@@ -142,8 +146,8 @@ def test_the_keys_move_the_target_too(live):
     for _ in range(3):
         slider.press("ArrowDown")
     settle(page)
-    page.wait_for_timeout(300)
-    moved = kl.forward_kinematics(arm, kernel_q(page))[:3, 3] - before
+    after = wait_for_kernel(page, kl.robots.alpha_ii, joints_of(view, arm.n))
+    moved = kl.forward_kinematics(arm, after)[:3, 3] - before
     assert -36 < moved[0] < -20 and np.max(np.abs(moved[1:])) < 1e-3
 
 

@@ -5,6 +5,7 @@ from copy import deepcopy
 
 import nbformat
 import pytest
+from grades import chosen
 from nbformat.v4 import new_code_cell, new_markdown_cell, new_notebook, new_output
 
 from kinlab.__main__ import main
@@ -116,7 +117,8 @@ def test_stubs_are_not_attempted_yet(path):
         assert "Not attempted yet" in cell.outputs[0].data["text/plain"]
 
 
-@pytest.mark.parametrize("path", LESSONS, ids=name)
+@pytest.mark.parametrize("path", chosen(
+    LESSONS, ["01_translation.ipynb", "05b_dh_practice.ipynb"], map(name, LESSONS)))
 def test_solved_lesson_passes_every_check(path):
     solved = solve(read(path), read(path.parent / "solutions" / path.name))
     said = {id: cell.outputs[0].data["text/plain"]

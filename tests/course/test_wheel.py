@@ -11,6 +11,7 @@ from pathlib import Path
 import nbformat
 import pytest
 
+pytestmark = pytest.mark.thorough
 ROOT = Path(__file__).parents[2]
 # Stands in for JupyterLab: it says how it was started.
 LAB = """import json, os

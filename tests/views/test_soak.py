@@ -3,6 +3,7 @@ import subprocess
 from contextlib import contextmanager
 
 import psutil
+import pytest
 from jupyter_client.manager import start_new_kernel
 
 EVENTS, VIEWS, ALLOWED_MB = 10_000, 200, 5
@@ -55,6 +56,7 @@ def run(client, code):
     return "".join(printed)
 
 
+@pytest.mark.thorough
 def test_a_long_lesson_leaves_no_memory_behind():
     def state():
         widgets = int(run(client, "gc.collect(); print(len(widget._instances))"))
