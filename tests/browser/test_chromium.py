@@ -27,6 +27,7 @@ def _run(nowhere, test, required):
         env=environment, cwd=here.parents[1], capture_output=True, text=True).stdout
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("required, outcome", [("0", "skipped"), ("1", "error")])
 @pytest.mark.parametrize("engine, lacks", [("firefox", "no firefox-esr or firefox"),
                                            ("webkit", "no WebKitWebDriver"),

@@ -14,6 +14,7 @@ from reading import READ, SETTLE, assert_picture, assert_table
 
 import kinlab as kl
 
+pytestmark = pytest.mark.thorough
 ALPHA = kl.robots.alpha_ii
 APP = """
 import marimo
