@@ -272,9 +272,9 @@ class View {
   /** @param {number} stage of those that have buttons, or parts of the formula */
   stand(stage) {
     this.bar.stand(stage);
-    for (const part of this.formula.children) {
+    for (const part of this.formula.querySelectorAll("[data-stages]")) {
       const of = part.getAttribute("data-stages")?.split(" ");
-      part.toggleAttribute("hidden", of ? !of.includes(String(stage)) : false);
+      part.toggleAttribute("hidden", !of?.includes(String(stage)));
     }
   }
 

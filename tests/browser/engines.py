@@ -474,7 +474,7 @@ def _web_driver() -> Iterator[str]:
 def _screen() -> Iterator[str]:
     """An X screen that nobody sees; its name."""
     read, write = os.pipe()
-    command = [_found("Xvfb"), "-displayfd", str(write), "-screen", "0", "2000x1200x24",
+    command = [_found("Xvfb"), "-displayfd", str(write), "-screen", "0", "2000x2400x24",
                "-nolisten", "tcp"]
     with _running(command, stderr=subprocess.DEVNULL, pass_fds=[write]), os.fdopen(read) as told:
         os.close(write)

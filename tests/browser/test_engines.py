@@ -246,6 +246,9 @@ def test_formulas_are_laid_out(visit):
     assert np.ptp([row[3]["x"] for row in rows]) < 2
     assert index["x"] >= letter["right"] - 2 and index["bottom"] > letter["bottom"] + 1
     assert boxes["size"] >= 12
+    page.press("ArrowRight", on=".kl-knob [type=range]")
+    page.settle()
+    assert page.evaluate(SEEN, ".kl-columns button") == 0   # the whole matrix has its place
 
 
 def test_dark_where_the_system_is_dark(visit, engine):
