@@ -2,6 +2,7 @@
 
 import { make } from "./dom.js";
 import { keepKeys } from "./notebook_keys.js";
+import { afterOthers, keepViews } from "./saved_views.js";
 import { showView } from "./widget.js";
 
 /** @import { Host } from "./types.js" */
@@ -34,4 +35,4 @@ function folded(el, show) {
   return () => leave?.();
 }
 
-export default { render };
+export default { initialize: keepViews, render: afterOthers(render) };

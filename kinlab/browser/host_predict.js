@@ -2,7 +2,7 @@
 
 import { keepKeys } from "./notebook_keys.js";
 import { ask } from "./predict.js";
-import { keptAnswers } from "./saved_views.js";
+import { afterOthers, keepViews, keptAnswers } from "./saved_views.js";
 import { showView } from "./widget.js";
 
 /** @import { Host, Model, Sheet } from "./types.js" */
@@ -44,4 +44,4 @@ function render({ model, el }) {
   };
 }
 
-export default { render };
+export default { initialize: keepViews, render: afterOthers(render) };

@@ -4,6 +4,7 @@ import { make } from "./dom.js";
 import { lightUp, pointFrom, walkThrough } from "./hover.js";
 import { keepKeys } from "./notebook_keys.js";
 import { Pointing } from "./pointing.js";
+import { afterOthers, keepViews } from "./saved_views.js";
 import { showTable } from "./table.js";
 import { showView } from "./widget.js";
 
@@ -31,4 +32,4 @@ function render({ model, el }) {
   };
 }
 
-export default { render };
+export default { initialize: keepViews, render: afterOthers(render) };

@@ -4,7 +4,6 @@
 import { make, write } from "./dom.js";
 import { Listeners } from "./listeners.js";
 import { mount } from "./mount.js";
-import { keepViews } from "./saved_views.js";
 import { followTerms } from "./terms.js";
 
 /** @import { Pointing } from "./pointing.js" */
@@ -153,7 +152,6 @@ export function showView(model, el, pointing, put = mount) {
   show();
   model.on("change:note", remark);
   model.on("change:scene", show);
-  keepViews(model.widget_manager);
   const unfollow = followTerms(place, () => live);
   return () => {
     unfollow();

@@ -40,6 +40,13 @@ SPLASH = "#jupyterlab-splash"
 # What the notebook in front holds: its model, as it would be saved.
 NOTEBOOK = "jupyterapp.shell.currentWidget.content.model.toJSON()"
 
+KERNEL = {"name": "python3", "display_name": "Python 3", "language": "python"}
+# Whether the notebook of a path is in front, and its kernel waits.
+READY = """path => {
+    const front = window.jupyterapp?.shell.currentWidget;
+    return front?.context?.path === path && front.sessionContext.session?.kernel?.status === 'idle';
+}"""
+
 
 @dataclass(frozen=True)
 class Lab:

@@ -1,0 +1,201 @@
+"""Whatever was done to a notebook before it was saved: a view lives, or is a picture."""
+import nbformat
+import pytest
+from lab import KERNEL, READY, open_notebook, run_all, run_code
+
+WIDGET_VIEW = "application/vnd.jupyter.widget-view+json"
+WIDGET_STATE = "application/vnd.jupyter.widget-state+json"
+CELLS = ["import ipywidgets\nimport kinlab as kl\n"
+         "view = kl.ArmView(kl.robots.two_link())\nview",
+         "view",
+         "editor = kl.DHTableEditor(kl.robots.two_link())\neditor",
+         "asked = kl.predict('rotation.riding')\nasked",
+         "answer = kl.ArmView(kl.robots.alpha_ii())\nanswer",
+         "slider = ipywidgets.FloatSlider()\nbox = ipywidgets.VBox([slider, view])\nbox"]
+FOLDED = 4
+ALL = len(CELLS)
+NOTEBOOK = "jupyterapp.shell.currentWidget"
+SESSION = f"{NOTEBOOK}.sessionContext"
+IDLE = f"{SESSION}.session?.kernel?.status === 'idle' && !{SESSION}.pendingInput"
+# What a cell's output shows: a live thing, a picture, a text, nothing, or an error.
+SHOWN = """() => [...document.querySelectorAll('.jp-Notebook:not(.lm-mod-hidden *) .jp-CodeCell')]
+    .filter(cell => cell.closest('.jp-NotebookPanel:not(.lm-mod-hidden)')).map(cell => {
+    const area = cell.querySelector('.jp-Cell-outputArea');
+    const said = area?.innerText ?? '';
+    if (/Loading widget/.test(said)) return 'nothing';
+    if (/rror/.test(said) || area?.querySelector('.jupyter-widgets-error-widget'))
+        return said || 'error';
+    if (area?.querySelector('details.kl-answer, .kl-view .kl-picture svg')) return 'live';
+    if (area?.querySelector('img')?.naturalWidth) return 'picture';
+    return area?.querySelector('.jp-RenderedText')?.innerText.trim() ? 'text' : 'nothing';
+})"""
+
+
+class Student:
+    """Does in a page of JupyterLab what students do to a notebook, step by step."""
+
+    def __init__(self, page, lab, root):
+        self.page, self.lab, self.root, self.name = page, lab, root, "kept.ipynb"
+        cells = [nbformat.v4.new_code_cell(source) for source in CELLS]
+        cells[FOLDED].metadata = {"jupyter": {"outputs_hidden": True}}
+        notebook = nbformat.v4.new_notebook(cells=cells, metadata={"kernelspec": KERNEL})
+        nbformat.write(notebook, root / self.name)
+        self.load()
+
+    def do(self, steps):
+        for step in steps.split():
+            name, _, cell = step.partition(":")
+            getattr(self, name)(*([int(cell)] if cell else []))
+
+    def command(self, name, **arguments):
+        self.page.evaluate("""([name, given]) =>
+            jupyterapp.commands.execute(name, given).then(() => 0)""", [name, arguments])
+
+    def idle(self):
+        self.page.wait_for_function(IDLE)
+
+    # ---- steps ----
+
+    def load(self):
+        """The page is loaded anew."""
+        open_notebook(self.page, self.lab, self.name)
+
+    def run(self):
+        run_all(self.page)
+
+    def one(self, cell):
+        self.page.evaluate(f"cell => {{ {NOTEBOOK}.content.activeCellIndex = cell; }}", cell)
+        self.command("notebook:run-cell")
+
+    def restart(self):
+        self.page.evaluate(f"{SESSION}.restartKernel()")
+        self.idle()
+
+    def clear(self):
+        """Restart and clear all outputs."""
+        self.restart()
+        self.command("notebook:clear-all-cell-outputs")
+
+    def shutdown(self):
+        self.page.evaluate(f"{SESSION}.shutdown()")
+
+    def kernel(self):
+        """Change to another kernel."""
+        self.page.evaluate(f"{SESSION}.changeKernel({{name: 'python3'}}).then(() => 0)")
+        self.idle()
+
+    def save(self):
+        self.command("docmanager:save")
+
+    def away(self):
+        """Close the notebook without saving; its kernel goes on."""
+        self.page.evaluate(f"() => {{ {NOTEBOOK}.dispose(); }}")
+
+    def back(self):
+        """Open it in the same page."""
+        self.page.evaluate(
+            "path => { jupyterapp.commands.execute('docmanager:open', {path}); }", self.name)
+        self.page.wait_for_function(READY, arg=self.name)
+
+    def move(self):
+        """A key on a slider of the first live view."""
+        self.page.locator(".kl-view:visible").first.get_by_role("slider").first.press("PageUp")
+
+    def shut(self, cell):
+        """Python closes what a cell shows."""
+        names = ["view", "view", "editor", "asked", "answer", "slider"]
+        run_code(self.page, f"{names[cell]}.close()")
+
+    def double(self):
+        """Duplicate the file, and go on with that."""
+        self.away()
+        new = self.page.evaluate(
+            "path => jupyterapp.serviceManager.contents.copy(path, '').then(file => file.path)",
+            self.name)
+        self.name = new
+        self.back()
+
+    def paste(self):
+        """Copy all cells with their outputs into a new notebook, and go on with that."""
+        self.command("notebook:select-all")
+        self.command("notebook:copy-cell")
+        nbformat.write(nbformat.v4.new_notebook(metadata={"kernelspec": KERNEL}),
+                       self.root / "pasted.ipynb")
+        self.name = "pasted.ipynb"
+        self.back()
+        self.command("notebook:paste-cell-above")
+        self.page.wait_for_function(f"{NOTEBOOK}.content.widgets.length > {ALL}")
+        self.one(ALL)
+
+    # ---- what there is ----
+
+    def file(self):
+        return nbformat.read(self.root / self.name, as_version=4)
+
+    def seen(self):
+        """What each cell shows, once all of it is there."""
+        self.page.wait_for_function(f"({SHOWN})().length >= {ALL}")
+        for cell in range(ALL):  # what is out of sight is not drawn before
+            self.page.evaluate(f"""cell => {{ {NOTEBOOK}.content.activeCellIndex = cell;
+                {NOTEBOOK}.content.scrollToItem(cell); }}""", cell)
+            self.page.wait_for_function(
+                f"cell => ({SHOWN})()[cell] !== 'nothing' || "
+                f"!{NOTEBOOK}.content.widgets[cell].model.outputs.length", arg=cell)
+        return self.page.evaluate(f"({SHOWN})()")[:ALL]
+
+
+@pytest.fixture
+def student(browser, lab, root, watched):
+    page = watched(browser.new_page(viewport={"width": 1280, "height": 900}))
+    yield Student(page, lab, root)
+    page.evaluate("jupyterapp.serviceManager.sessions.shutdownAll()")
+    page.close()
+
+
+def outputs(notebook):
+    return [output for cell in notebook.cells for output in cell.get("outputs", ())]
+
+
+def references(state):
+    """The ids that a state names, at any depth."""
+    if isinstance(state, str):
+        return {state.removeprefix("IPY_MODEL_")} if state.startswith("IPY_MODEL_") else set()
+    inner = state.values() if isinstance(state, dict) else state if isinstance(state, list) else ()
+    return set().union(*map(references, inner))
+
+
+def assert_whole(notebook):
+    """Each view has its state, no state refers to one that is not there, and none is left over."""
+    kept = notebook.metadata.get("widgets", {}).get(WIDGET_STATE, {}).get("state")
+    assert kept != {}
+    views = [output.data[WIDGET_VIEW].model_id for output in outputs(notebook)
+             if WIDGET_VIEW in output.get("data", {})]
+    needed, new = set(), set(filter(None, views))
+    while new:
+        needed |= new
+        assert new <= set(kept or ()), "a view or a part of one has no state"
+        new = set().union(*(references(kept[one]) for one in new)) - needed
+    assert set(kept or ()) == needed
+
+
+LIVE = ["live"] * ALL
+STILL = ["picture", "picture", "text", "picture", "picture", "text"]
+BARE = ["nothing"] * ALL
+ORDERS = {  # what is done, and what is seen when the notebook is opened again
+    "run restart save": LIVE,
+    "run shutdown save": LIVE,
+    "run restart one:0 save": LIVE,
+    "run save restart save": LIVE,
+    "run save load one:1 save": LIVE,
+}
+
+
+@pytest.mark.parametrize("order", ORDERS)
+def test_orders(student, order):
+    student.do(order)
+    assert_whole(student.file())
+    print("size", (student.root / student.name).stat().st_size)
+    for again in ("load", "shutdown load save", "away back save"):
+        student.do(again)
+        assert student.seen() == ORDERS[order], again
+    assert_whole(student.file())
