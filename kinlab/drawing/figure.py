@@ -34,6 +34,10 @@ _SIDES = 36                                 # of a round gradient
 _BEYOND = 1.0                               # how far a gradient goes on beyond its ends
 _LETTERS, _RISE, _RIM = 12.5, 0.28, 3.0     # px; of their size: from a baseline to the middle; px
 _RIM_COLOUR = "#ffffffd9"
+_FAINT, _EDGE = 10, 12                      # of 255: no more from white is empty; px: left round
+_BAND, _PILL = 44.0, 30.0                   # px: height of the words' place, and of what holds them
+_WORDS: Paint = {"fill": "#1f3a56"}
+_BEHIND: Paint = {"fill": "#f7fafd", "stroke": "#8fa9c0", "stroke-width": 1.0}
 
 
 def figure(scene: Scene, q: Numbers, preset: str = "",
@@ -43,7 +47,7 @@ def figure(scene: Scene, q: Numbers, preset: str = "",
     if scene.chart:
         parts, height = [*parts, *chart_marks(scene.chart, q, scene.size)], height + HEIGHT
     fig = Figure(figsize=(width / 72, height / 72), dpi=72, facecolor="white")
-    px = Affine2D().translate(0, -height).scale(1 / 72, -1 / 72) + fig.dpi_scale_trans
+    px = _down(fig, height)
     for drawn in parts:
         fig.add_artist(_Part(drawn, px))
     return fig
@@ -55,15 +59,63 @@ def prepare() -> None:
         _letters("x", weight)
 
 
-def png(fig: Figure) -> bytes:
-    """The figure as a PNG picture, in so many colours that the axes keep theirs."""
-    fig.set_dpi(_DPI)
-    canvas, small = FigureCanvasAgg(fig), io.BytesIO()
-    canvas.draw()
-    picture = Image.fromarray(np.asarray(canvas.buffer_rgba())).convert("RGB")
+def png(fig: Figure, words: str = "") -> bytes:
+    """The figure as a PNG picture, in so many colours that the axes keep theirs.
+
+    With words the picture has no empty frame, and they stand under it.
+    """
+    picture, small = _pixels(fig), io.BytesIO()
+    if words:
+        picture = _under(_cropped(picture), words)
     fewer = picture.quantize(_COLOURS, Image.Quantize.FASTOCTREE, dither=Image.Dither.NONE)
     fewer.save(small, "PNG")
     return small.getvalue()
+
+
+def _pixels(fig: Figure) -> Image.Image:
+    fig.set_dpi(_DPI)
+    canvas = FigureCanvasAgg(fig)
+    canvas.draw()
+    return Image.fromarray(np.asarray(canvas.buffer_rgba())).convert("RGB")
+
+
+def _cropped(picture: Image.Image) -> Image.Image:
+    """What is drawn in a picture, with a little room round it; all of it if that is nothing."""
+    drawn = np.asarray(picture).min(axis=2) < 255 - _FAINT
+    if not drawn.any():
+        return picture
+    down, right = np.nonzero(drawn)
+    edge = _EDGE * _DPI // 72
+    return picture.crop((max(0, right.min() - edge), max(0, down.min() - edge),
+                         min(picture.width, right.max() + edge),
+                         min(picture.height, down.max() + edge)))
+
+
+def _under(picture: Image.Image, words: str) -> Image.Image:
+    """The picture with words under it, and the sign for run."""
+    _, middle = _letters(words, "bold")
+    long, scale = 2 * middle + 2 * _PILL, _DPI / 72
+    width, y = max(picture.width / scale, long + 2 * _EDGE), _BAND / 2
+    x, r = (width - long) / 2, _PILL / 2
+    turn = np.linspace(np.pi / 2, 3 * np.pi / 2, _SIDES)
+    end = r * np.stack([np.cos(turn), np.sin(turn)], axis=-1)
+    pill = np.vstack([end + (x + r, y), -end + (x + long - r, y)])
+    run = np.array([[0, -6], [0, 6], [10, 0]]) + (x + 0.75 * _PILL, y)
+    place = np.array([[x + 1.5 * _PILL + middle, y]])
+    fig = Figure(figsize=(width / 72, _BAND / 72), dpi=72, facecolor="white")
+    fig.add_artist(_Part(Drawn("words", [
+        Mark([pill], _BEHIND, closed=True), Mark([run], _WORDS, closed=True),
+        Mark([place], _WORDS, text=words)]), _down(fig, _BAND)))
+    below = _pixels(fig)
+    both = Image.new("RGB", (below.width, picture.height + below.height), "white")
+    both.paste(picture, ((below.width - picture.width) // 2, 0))
+    both.paste(below, (0, picture.height))
+    return both
+
+
+def _down(fig: Figure, height: float) -> Transform:
+    """From px, counted down from the top, to a figure of that height."""
+    return Affine2D().translate(0, -height).scale(1 / 72, -1 / 72) + fig.dpi_scale_trans
 
 
 class _Part(Artist):

@@ -21,7 +21,7 @@ from .scene import Scene
 
 IDLE = 20.0  # seconds
 
-Job = tuple[Scene, Numbers, str, Sequence[str]]  # what `figure` takes
+Job = tuple[Scene, Numbers, str, Sequence[str], str]  # what `figure` takes, and words
 
 _lock = Lock()
 _hand: subprocess.Popen[bytes] | None = None
@@ -33,15 +33,16 @@ def begin() -> None:
         _running()
 
 
-def png(scene: Scene, q: Numbers, preset: str, show: Sequence[str]) -> bytes:
+def png(scene: Scene, q: Numbers, preset: str, show: Sequence[str], words: str = "") -> bytes:
     """The scene at joint values `q` as a PNG picture; see `figure.png`."""
-    return _ask((scene, q, preset, show))
+    return _ask((scene, q, preset, show, words))
 
 
 def _draw(job: Job) -> Any:
     from . import figure
 
-    return figure.png(figure.figure(*job))
+    scene, q, preset, show, words = job
+    return figure.png(figure.figure(scene, q, preset, show), words)
 
 
 def _ask(job: Job) -> Any:

@@ -16,7 +16,7 @@ from ..arms.motions import Numbers
 from ..browser import bundle, page
 from ..drawing import worker
 from ..drawing.controls import Knob, decimals
-from ..drawing.scene import CLOUD, Scene
+from ..drawing.scene import CLOUD, SOLIDS, Scene
 from .folding import is_folded
 
 DECIMALS = 4  # of numbers in words, where nothing asks for more
@@ -206,9 +206,15 @@ class LiveView(anywidget.AnyWidget):
 
     # ---- the picture for places where no widget runs ----
 
-    def _still(self) -> bytes:
+    def _still(self, words: str = "") -> bytes:
         """The picture as it stands now, as PNG."""
-        return worker.png(self._scene, self._values, self._scene.seen_from, self._scene.shown)
+        return worker.png(self._scene, self._values, self._scene.seen_from, self._scene.shown,
+                          words)
+
+    def _run(self) -> str:
+        """What to do where no widget runs."""
+        arm = any(item.shape in SOLIDS for item in self._scene.items)
+        return f"Run this cell to move the {'arm' if arm else 'picture'}"
 
     def __repr__(self) -> str:
         values = [f"{knob.name}={numbers([getattr(self, knob.name)], self.decimals)}{knob.suffix}"
@@ -233,7 +239,7 @@ class LiveView(anywidget.AnyWidget):
 
     def _elsewhere(self) -> tuple[dict, dict]:
         """A text and a picture, with words for those who cannot see it."""
-        return ({"text/plain": repr(self), "image/png": self._still()},
+        return ({"text/plain": repr(self), "image/png": self._still(self._run())},
                 {"image/png": {"alt": f"{self.ALT} {self!r}"}})
 
     def close(self) -> None:

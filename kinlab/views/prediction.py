@@ -208,14 +208,18 @@ class Prediction(LiveView):
             f"{guess.YOURS}dot"
         return [yours, f"{yours}-name", *[f"{guess.GAP}{one.of}"] * self.committed]
 
-    def _still(self) -> bytes:
+    def _run(self) -> str:
+        return "Run this cell to answer"
+
+    def _still(self, words: str = "") -> bytes:
         scene = guess.still(self._scene, self._parts())
         seen = self.cases[self.case].seen if not self.committed else ""
-        return worker.png(scene, self._values, seen or scene.seen_from, scene.shown)
+        return worker.png(scene, self._values, seen or scene.seen_from, scene.shown,
+                          words)
 
     def _elsewhere(self) -> tuple[dict, dict]:
         if not self._scene.items:
-            return {"text/plain": repr(self)}, {}
+            return {"text/plain": f"{self!r}\n{self._run()}."}, {}
         return super()._elsewhere()
 
     def __repr__(self) -> str:

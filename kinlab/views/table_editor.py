@@ -281,7 +281,7 @@ class DHTableEditor(ArmView):
                           *lengths_text(table), *ends_text(table), *reasons(table), *hints(table)])
 
     def _elsewhere(self) -> tuple[dict, dict]:
-        return {"text/plain": repr(self)}, {}
+        return {"text/plain": f"{self!r}\nRun this cell to type in the table."}, {}
 
     # ---- from the browser ----
 

@@ -75,6 +75,37 @@ def test_still_pictures_of_lessons_are_small(make):
     close(np.frombuffer(picture[16:24], ">u4"), 1.5 * 72 * fig.get_size_inches(), atol=1)
 
 
+@pytest.mark.thorough
+@pytest.mark.parametrize("make", VIEWS.values(), ids=VIEWS)
+def test_with_words_a_picture_has_no_empty_frame(make):
+    scene = make()._scene
+    fig = figure.figure(scene, scene.begin, show=scene.shown)
+    plain, framed = pixels(fig), np.asarray(Image.open(io.BytesIO(
+        figure.png(fig, "Run this cell"))).convert("RGB")).astype(int)
+    drawn = plain.min(axis=2) < 240
+    assert len(figure.png(fig, "Run this cell")) < 80_000
+    inked = framed[:-66].min(axis=2) < 240  # what is drawn, and no line of it, is above them
+    assert inked.sum() == pytest.approx(drawn.sum(), rel=0.02)
+    cropped = np.asarray(figure._cropped(figure._pixels(fig))).min(axis=2) < 246
+    assert cropped.shape == inked.shape
+    for edge in (cropped[:20], cropped[-20:], cropped[:, :20], cropped[:, -20:]):
+        assert edge.any()
+    words = framed[-66:].min(axis=2) < 100
+    assert words.sum() > 300
+    left, right = np.flatnonzero(words.any(axis=0))[[0, -1]]
+    assert left + right == pytest.approx(framed.shape[1], abs=60)  # in the middle
+
+
+def test_words_have_room_under_a_small_picture():
+    arm = kl.robots.two_link()
+    fig = figure.figure(arm_scene(arm), arm.home, "top", ())
+    narrow = Image.fromarray(np.full((50, 80, 3), 255, np.uint8))
+    both = figure._under(narrow, "Run this cell to move the arm")
+    assert both.width > 350 and both.height == 50 + 66
+    assert figure._cropped(narrow).size == (80, 50)  # nothing is drawn: nothing is cut
+    assert figure._cropped(figure._pixels(fig)).width < figure._pixels(fig).width
+
+
 def test_a_pixel_has_the_colour_of_what_is_painted_there():
     arm = kl.robots.two_link()
     scene = arm_scene(arm)
