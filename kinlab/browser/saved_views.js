@@ -11,11 +11,11 @@ const LOOKS = 100;                                  // ms until an output looks 
 /** @typedef {(id: string) => any} States gives the state of a model, or nothing */
 
 /**
- * The widget managers of open notebooks whose views are kept. Each view has this script for
- * itself, so they are the page's.
- * @returns {Set<any>}
+ * The widget managers of open notebooks whose views are kept, and when their outputs are looked
+ * after. Each view has this script for itself, so they are the page's.
+ * @returns {Map<any, number>}
  */
-const managers = () => /** @type {any} */ (globalThis)[MANAGERS] ??= new Set();
+const managers = () => /** @type {any} */ (globalThis)[MANAGERS] ??= new Map();
 
 /** Layouts of views that were there before the page; a layout is a model's own. */
 const restored = new WeakSet();
@@ -38,9 +38,12 @@ export const afterOthers = (render) => (host) => restored.has(host.model.get("la
  */
 export function keepViews({ model }) {
   const manager = model.widget_manager, context = manager?.context;
-  if (manager?.restoredStatus === false) restored.add(model.get("layout"));
-  if (!context?.model.setMetadata || managers().has(manager)) return;
-  managers().add(manager);
+  if (!context?.model.setMetadata) return;
+  const layout = model.get("layout"), known = managers().has(manager);
+  if (!manager.restoredStatus || !layout.comm_live) restored.add(layout);
+  clearTimeout(managers().get(manager));
+  managers().set(manager, setTimeout(() => showAgain(manager), LOOKS));
+  if (known) return;
   context.disposed.connect(() => managers().delete(manager));
   lookAround(Object.getPrototypeOf(manager));
   let again = false;
@@ -120,7 +123,7 @@ function allOf(id, states, found = {}) {
 }
 
 /**
- * The views in a notebook's outputs: their models, and how to leave one out of its output.
+ * The views in a notebook's outputs: their models, and how to show one again or to leave it out.
  * @param {any} notebook
  */
 function* shown(notebook) {
@@ -129,10 +132,21 @@ function* shown(notebook) {
       const { [VIEW]: view, ...data } = output.data ?? {};
       // A widget that Python has closed has lost its name. Opened again, it shows nothing.
       if (!view || (!view.model_id && !data["image/png"])) continue;
-      yield { id: view.model_id,
+      yield { id: view.model_id, again: () => outputs.set(k, output),
               leaveOut: () => outputs.set(k, { ...output, data: { "text/plain": "", ...data } }) };
     }
   }
+}
+
+/**
+ * Show outputs again that gave up just before their models came, as they do on a slow machine.
+ * @param {any} manager
+ */
+function showAgain(manager) {
+  const lost = [...document.querySelectorAll(".jp-OutputArea-output")]
+    .some((output) => output.textContent === "Error displaying widget: model not found");
+  if (!lost || manager.context?.isDisposed !== false) return;
+  [...shown(manager.context.model)].forEach(({ id, again }) => manager.has_model(id) && again());
 }
 
 /**
@@ -147,7 +161,7 @@ function lookAround(prototype) {
   async function get_model(id) {
     const manager = this, ready = () => manager.context && manager.restoredStatus;
     if (ready() && !manager.has_model(id)) {
-      const state = [...managers()].map((one) => allOf(id, statesOf(one))).find(Boolean);
+      const state = [...managers().keys()].map((one) => allOf(id, statesOf(one))).find(Boolean);
       if (state) await manager.set_state({ version_major: 2, version_minor: 0, state });
     }
     try {

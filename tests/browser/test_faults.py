@@ -235,12 +235,12 @@ def test_a_page_loaded_again_shows_the_arm_as_it_stands(own_page, lab, root):
     wait_for_kernel(page, ALPHA, [0, 21, 0, -90, 0])
     page.evaluate(SAVE)
 
-    for _ in range(2):  # opened, not run, saved, and opened again
+    for value in (21, 22):  # opened, not run, moved, saved, and opened again
         shut_down_kernels(page)
         open_notebook(page, lab, "own.ipynb")
         view = alive(page)
         expect(silence(view)).to_contain_text(DEAF)
-        assert_drawn(view, [0, 21, 0, -90, 0])
+        assert_drawn(view, [0, value, 0, -90, 0])
         assert_moves_alone(view)
         assert_no_error_box(page)
         page.evaluate(SAVE)
