@@ -3,11 +3,14 @@ from __future__ import annotations
 
 import re
 from collections.abc import Collection
+from html import escape
 from xml.etree import ElementTree
 
 _SPACE = "http://www.w3.org/1998/Math/MathML"
 _INDEXED = (f"{{{_SPACE}}}msub", f"{{{_SPACE}}}msubsup")
 _TURNING = ("C", "S", "θ")  # what turns with the joints in its index
+_ACTIVE = ("href", "style", "class", "id")  # what \href and the like would put into a page
+_SIGN = re.compile(r"&amp;(#x?[0-9A-Fa-f]+;)")
 ElementTree.register_namespace("", _SPACE)
 # Space about sin and cos, none between a sign and what it belongs to, no group of one.
 _OPERAND, _FUNCTION = r"(</(?:mi|mn|msub|msup|msubsup|mrow)>)", "((?:<msup>)?<mi>(?:sin|cos)</mi>)"
@@ -25,15 +28,28 @@ _TYPOGRAPHY = (
 
 
 def mathematics(latex: str, *, display: bool = False) -> str:
-    """LaTeX as MathML, which browsers typeset themselves.
+    r"""LaTeX as MathML, which browsers typeset themselves; nothing in it becomes HTML or a link.
 
+    Raises ValueError if it is no LaTeX.
+
+    >>> mathematics(r"\text{<b>}")[66:]
+    '<mrow><mtext>&lt;b&gt;</mtext></mrow></math>'
     >>> mathematics("x_1")[66:]
     '<mrow><msub><mi>x</mi><mn>1</mn></msub></mrow></math>'
     """
-    from latex2mathml.converter import convert
+    from latex2mathml.converter import convert_to_element
 
     latex = latex.replace("{aligned}", "{align*}")  # the same, and known to the converter
-    mathml = convert(latex, display="block" if display else "inline")
+    try:
+        math = convert_to_element(latex, display="block" if display else "inline")
+    except Exception as error:  # one of twenty, half of them not the converter's own
+        raise ValueError(f"latex: cannot be read as a formula ({type(error).__name__}): "
+                         f"{latex[:80]!r}") from None
+    for part in math.iter():
+        for name in _ACTIVE:
+            part.attrib.pop(name, None)
+    # The converter writes signs as "&#x02212;". Its own text form would let "<" through as well.
+    mathml = _SIGN.sub(r"&\1", ElementTree.tostring(math, encoding="unicode"))
     for pattern, better in _TYPOGRAPHY:
         mathml = re.sub(pattern, better, mathml, flags=re.DOTALL)
     return mathml
@@ -41,7 +57,8 @@ def mathematics(latex: str, *, display: bool = False) -> str:
 
 def typeset(text: str) -> str:
     """A text with formulas between dollar signs, with those as MathML."""
-    return re.sub(r"\$([^$]+)\$", lambda found: mathematics(found[1]), text)
+    words = re.split(r"\$([^$]+)\$", text)
+    return "".join(mathematics(part) if k % 2 else escape(part) for k, part in enumerate(words))
 
 
 def named(latex: str, joints: int, slides: Collection[int] = ()) -> str:

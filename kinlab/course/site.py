@@ -2,7 +2,9 @@
 
 There is a page for each lesson, a course map, and the script and the style that they share. Open
 index.html from the disk, or put the folder on any web server. The lessons are run for it, each in a
-kernel of its own, where a view is shown as a piece of a page.
+kernel of its own, where a view is shown as a piece of a page. So build it from notebooks that you
+trust: the HTML that their code shows stands in the page as it is. All else is escaped, such as what
+the code prints, and tags in the Markdown that are not in `_TAGS`.
 """
 from __future__ import annotations
 
@@ -12,9 +14,10 @@ from collections.abc import Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from copy import deepcopy
 from dataclasses import dataclass
-from html import escape
+from html import escape, unescape
 from pathlib import Path
 from typing import Any
+from urllib.parse import quote
 
 import nbformat
 from nbconvert import TemplateExporter
@@ -28,6 +31,7 @@ from .handout import FOLDER, writing
 from .notebooks import run
 
 _HERE = Path(__file__).parent
+_TAGS = re.compile(r"(</?(?:details|summary|sub|sup|br)\s*/?>)")  # that a lesson's text may have
 _WELCOME = """# Forward kinematics of robot arms
 
 **Drag a joint, and the arm, its frames and its numbers answer together.**
@@ -58,7 +62,7 @@ class Lesson:
 
     @property
     def page(self) -> str:
-        return f"{self.path.stem}.html"
+        return quote(f"{self.path.stem}.html")
 
     @property
     def opening(self) -> str:
@@ -82,6 +86,12 @@ class Lesson:
 
 class _Renderer(IPythonRenderer):
     """Markdown as HTML: formulas as MathML, links to notebooks as links to their pages."""
+
+    def block_html(self, html: str) -> str:
+        return f"{_plain_tags(html)}\n"
+
+    def inline_html(self, html: str) -> str:
+        return _plain_tags(html)
 
     def inline_math(self, body: str) -> str:
         return mathml.mathematics(body)
@@ -113,8 +123,20 @@ def exporter() -> TemplateExporter:
     """nbconvert's, with a template of our own, and with formulas as MathML."""
     return TemplateExporter(
         raw_template=(_HERE / "site.html.j2").read_text(encoding="utf-8"),
-        filters={"markdown2html": lambda source: MarkdownWithMath(_Renderer(escape=False))(source),
+        filters={"markdown2html": _markdown,
                  "highlight_code": Highlight2HTML()})
+
+
+def _markdown(source: str) -> str:
+    """Markdown as HTML; links that would run something lead nowhere."""
+    reader = MarkdownWithMath(_Renderer(escape=False, allow_harmful_protocols=False))
+    return str(reader(source))
+
+
+def _plain_tags(html: str) -> str:
+    """HTML in a text with a few tags left, and all others shown as they were written."""
+    return "".join(part if k % 2 else escape(unescape(part), quote=False)
+                   for k, part in enumerate(_TAGS.split(html)))
 
 
 def _tied(text: str) -> str:
@@ -142,7 +164,7 @@ def build(folder: Path, lessons: Sequence[Path] | None = None, progress: bool = 
     for k, (lesson, made) in enumerate(_run_two_at_a_time(course)):
         if progress:
             print(f"\r  {k + 1} of {len(course)}  {lesson.path.stem:<32}", end="", file=sys.stderr)
-        _write(export, folder / lesson.page, made, title=lesson.title,
+        _write(export, folder / f"{lesson.path.stem}.html", made, title=lesson.title,
                file=f"notebooks/{lesson.path.name}", previous=around[k], next=around[k + 2],
                map=True)
     _write(export, folder / "index.html", course_map(course), title="Course map",
@@ -192,7 +214,7 @@ def _output(output: nbformat.NotebookNode) -> str:
     if "image/png" in data:
         alt = output.get("metadata", {}).get("image/png", {}).get("alt", "")
         return (f'<img alt="{escape(alt)}" '
-                f'src="data:image/png;base64,{data["image/png"].strip()}">')
+                f'src="data:image/png;base64,{escape(data["image/png"].strip())}">')
     if "text/latex" in data:
         return f'<div class="kl-mathematics">{mathml.typeset(data["text/latex"])}</div>'
     return data.get("text/html") or f'<pre>{escape(data.get("text/plain", ""))}</pre>'

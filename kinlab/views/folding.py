@@ -43,9 +43,10 @@ def folded(message: dict) -> dict:
 
 def _inside(data: dict) -> str:
     """What there is to see, in HTML."""
-    for kind in ("text/html", "text/latex"):
-        if kind in data:
-            return str(data[kind])
+    if "text/html" in data:
+        return str(data["text/html"])
+    if "text/latex" in data:
+        return escape(str(data["text/latex"]), quote=False)
     return f"<pre>{escape(str(data.get('text/plain', '')))}</pre>"
 
 
