@@ -4,6 +4,7 @@ import { Listeners } from "./listeners.js";
 import { mount } from "./mount.js";
 import { startViews } from "./page_views.js";
 import { ask } from "./predict.js";
+import { readable } from "./verdicts.js";
 
 /** @import { Question, Sheet } from "./types.js" */
 
@@ -11,7 +12,7 @@ const STORE_KEY = "kinlab predictions";                  // in the browser's sto
 
 /** What the browser keeps of all predictions: records by name. */
 function storedAnswers() {
-  try { return JSON.parse(localStorage.getItem(STORE_KEY) ?? "{}"); } catch { return {}; }
+  try { return JSON.parse(localStorage.getItem(STORE_KEY) ?? "") ?? {}; } catch { return {}; }
 }
 
 /**
@@ -19,8 +20,8 @@ function storedAnswers() {
  * @returns {Sheet}
  */
 function pageSheet(question) {
-  const listeners = new Listeners(), known = storedAnswers()[question.name] ?? [];
-  const record = Array.isArray(known) ? known.filter((one) => question.cases[one?.case]) : [];
+  const listeners = new Listeners();
+  const record = readable(question.cases, storedAnswers()[question.name]);
   let state = { record, case: record.at(-1)?.case ?? 0 };
   return {
     question,

@@ -3,6 +3,7 @@
 import { keepKeys } from "./notebook_keys.js";
 import { ask } from "./predict.js";
 import { afterOthers, keepViews, keptAnswers } from "./saved_views.js";
+import { readable } from "./verdicts.js";
 import { showView } from "./widget.js";
 
 /** @import { Host, Model, Sheet } from "./types.js" */
@@ -13,8 +14,9 @@ import { showView } from "./widget.js";
  */
 function modelSheet(model) {
   const question = model.get("question"), notebook = keptAnswers(model.widget_manager);
-  const known = notebook.read(question.name).filter((one) => question.cases[one?.case]);
-  const restored = !model.get("record").length && known.length > 0;
+  const told = () => readable(question.cases, model.get("record"));
+  const known = readable(question.cases, notebook.read(question.name));
+  const restored = !told().length && known.length > 0;
   const write = (/** @type {any[]} */ record, /** @type {number} */ now) => {
     model.set("case", now);
     model.set("record", record);
@@ -24,7 +26,7 @@ function modelSheet(model) {
   if (restored) write(known, known[known.length - 1].case);
   return {
     question, restored, write,
-    read: () => ({ record: model.get("record"), case: model.get("case") }),
+    read: () => ({ record: told(), case: model.get("case") }),
     listen(callback) {
       const names = ["change:record", "change:case"];
       names.forEach((name) => model.on(name, callback));

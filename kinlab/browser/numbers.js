@@ -3,7 +3,8 @@
 
 /** @typedef {{ value: number, angle: boolean }} Part of a formula, and whether it has a unit */
 
-const MOST_CHARACTERS = 200, LARGEST = 1e100, LARGEST_POWER = 100, DEGREE = Math.PI / 180;
+export const LARGEST = 1e100;
+const MOST_CHARACTERS = 200, LARGEST_POWER = 100, DEGREE = Math.PI / 180;
 const LARGEST_ANGLE = 1e4;                          // rad, some 1,600 turns
 const SMALLEST_LENGTH = 1e-9, LARGEST_LENGTH = 1e9;
 const UNITS = new Map([["deg", DEGREE], ["rad", 1]]);

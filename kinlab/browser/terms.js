@@ -7,13 +7,18 @@ import { hear } from "./dom.js";
 
 const TERM = 'a[href^="#kl:"]';
 
+/** @type {(text: string) => string} */
+function decoded(text) {
+  try { return decodeURIComponent(text); } catch { return ""; }   // "100%" is no address
+}
+
 /**
  * What a term names: joints, frames and links, such as #kl:joints=2,3 and #kl:frame=1.
  * @param {string} href
  * @returns {Spot | null} null where nothing can be read
  */
 export function readTerm(href) {
-  const asked = new URLSearchParams(decodeURIComponent(href.split("#kl:")[1] ?? ""));
+  const asked = new URLSearchParams(decoded(href.split("#kl:")[1] ?? ""));
   const list = (/** @type {string} */ name) =>
     [`${name}s`, name].flatMap((key) => asked.get(key)?.split(",") ?? []).filter(Boolean);
   const [joints, links] = ["joint", "link"].map((name) => list(name).map(Number));

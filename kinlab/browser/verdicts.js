@@ -1,5 +1,7 @@
 // What is said to an answer, in the words of kinlab/answers/prediction.py.
 
+import { LARGEST } from "./numbers.js";
+
 /** @import { Asked, Told } from "./types.js" */
 
 /**
@@ -110,6 +112,42 @@ const SAID = {
  */
 export const verdict = (one, answer) => answer == null
   ? { ok: false, said: `No guess. ${RIGHT[one.kind](one)}` } : SAID[one.kind](one, answer);
+
+// ---- answers that were kept ----
+
+/** @type {(value: any) => boolean} */
+const isNumber = (value) => Number.isFinite(value) && Math.abs(value) <= LARGEST;
+
+/** @type {(one: Asked, answer: any) => boolean} */
+const isOption = ({ options }, answer) => options.some(([text]) => text === answer);
+
+/** @type {Record<string, (one: Asked, answer: any) => boolean>} */
+const FITS = {
+  choice: isOption,
+  several: (one, answer) => Array.isArray(answer) && answer.every((text) => isOption(one, text)),
+  number: (_, answer) => isNumber(answer),
+  signs: ({ right, among }, answer) => Array.isArray(answer) && answer.length === right.length &&
+    answer.every((row, i) => typeof row === "string" && row.length === right[i].length &&
+      [...row].every((sign) => among.some(([letter]) => letter === sign))),
+  mark: (_, answer) => Array.isArray(answer) && answer.length === 3 && answer.every(isNumber),
+  direction: (_, answer) => isNumber(answer),
+};
+
+/**
+ * What can be read of a record that a notebook or a browser has kept: anybody may have changed it.
+ * @param {Asked[]} cases
+ * @param {any} record
+ */
+export function readable(cases, record) {
+  const answered = new Map();
+  for (const one of Array.isArray(record) ? record : []) {
+    const at = one?.case, asked = Number.isInteger(at) ? cases[at] : undefined;
+    const answer = one?.answer ?? null;
+    const fits = asked && (answer == null || FITS[asked.kind](asked, answer));
+    if (fits && !answered.has(at)) answered.set(at, { case: at, answer });
+  }
+  return [...answered.values()];
+}
 
 /** @type {Record<string, string>} */
 const FROM = { x: "y", y: "z", z: "x" };             // whence turns about an axis are counted

@@ -2,6 +2,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from contextlib import suppress
 from dataclasses import replace
 from typing import Any, ClassVar, NamedTuple
 
@@ -87,11 +88,18 @@ class Prediction(LiveView):
 
     @property
     def committed(self) -> bool:
-        return any(one["case"] == self.case for one in self.record)
+        return any(one.case == self.case for one in self.answers)
 
     @property
     def answers(self) -> list[Answered]:
-        return [Answered(one["case"], one["answer"]) for one in self.record]
+        given: dict[int, Answered] = {}
+        for one in self.record:  # the browser sends it, and a notebook keeps it
+            with suppress(ValueError, TypeError, KeyError):
+                case, answer = inputs.whole("case", one["case"], 0), one["answer"]
+                if case < len(self.cases) and case not in given:
+                    given[case] = Answered(case, answer if answer is None else
+                                           self.cases[case].read(answer))
+        return list(given.values())
 
     @property
     def told(self) -> Told | None:
