@@ -3,11 +3,16 @@ from __future__ import annotations
 
 import csv
 import io
+import re
 
 from .ends import ENDS
 from .table import COLUMNS, DHTable
 
 _OTHERS = ("low", "high", "home", "name")  # columns that are left out where all is empty
+# A spreadsheet works out what begins with such a sign, and may ask the network or run a command.
+# An apostrophe before it makes it text. Sums of numbers and names, such as -d2, do no harm.
+_WORKED_OUT = re.compile("'*[=+@\uff1d\uff0b\uff20\uff0d-]")
+_SUM = re.compile(r"[-+](?:[-+*/^.()\s°]|(?!\w+\s*\()\w+|(?:sqrt|sin|cos|a(?:rc)?tan)\s*\()*+")
 
 
 def to_csv(table: DHTable) -> str:
@@ -27,7 +32,24 @@ def to_csv(table: DHTable) -> str:
     columns = [*COLUMNS[:4], *other_columns(table)]
     rows = [[row.kind, *["-" * row.flip for _ in flips],
              *(getattr(row, column) for column in columns)] for row in table.rows]
-    return "".join(map(csv_line, [*settings(table), ["joint", *flips, *columns], *rows]))
+    lines = [*settings(table), ["joint", *flips, *columns], *rows]
+    return "".join(csv_line(list(map(as_text, line))) for line in lines)
+
+
+def as_text(cell: str) -> str:
+    """A cell that no spreadsheet works out; `own_table` takes the apostrophe away again.
+
+    Examples
+    --------
+    >>> as_text("=1+1"), as_text("-pi/2"), as_text("-WEBSERVICE(A1)")
+    ("'=1+1", '-pi/2', "'-WEBSERVICE(A1)")
+    """
+    return f"'{cell}" if _WORKED_OUT.match(cell) and not _SUM.fullmatch(cell) else cell
+
+
+def as_typed(cell: str) -> str:
+    """A cell of such a line as it was."""
+    return cell[1:] if cell.startswith("'") and as_text(cell[1:]) == cell else cell
 
 
 def settings(table: DHTable) -> list[list[str]]:

@@ -7,6 +7,7 @@ import re
 from collections.abc import Callable, Sequence
 
 from ..arms.link import FIXED, KINDS, variable_of
+from .as_csv import as_typed
 from .as_document import LATEX_SIGNS
 from .cells import line
 from .grid import Lines
@@ -87,6 +88,10 @@ def _csv_lines(text: str) -> Lines:
         return []
 
 
+def _sheet_lines(text: str) -> Lines:
+    return [list(map(as_typed, cells)) for cells in _csv_lines(text)]
+
+
 def _said(words: str) -> list[str]:
     word, _, given = words.partition(": ")
     return [word, *(_csv_lines(given) or [[""]])[0]]
@@ -114,4 +119,4 @@ def _sign(match: re.Match[str]) -> str:
 
 
 _LINES: dict[str, Callable[[str], Lines]] = {
-    "": _csv_lines, "- ": _markdown_lines, "% ": _latex_lines}
+    "": _sheet_lines, "- ": _markdown_lines, "% ": _latex_lines}
