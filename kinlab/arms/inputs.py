@@ -7,6 +7,7 @@ import warnings
 from dataclasses import FrozenInstanceError
 from numbers import Integral
 from typing import Any, NoReturn, TypeVar
+from unicodedata import category
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -21,6 +22,7 @@ LARGEST = 1e100
 MOST = 10**9
 _PLAIN = "give plain numbers"
 TWO_TURNS = 4 * math.pi  # rad: few joints go farther, and most angles in degrees do
+_NO_TEXT = ("Cc", "Cs", "Zl", "Zp")  # control characters, halves of one, ends of a line
 _PACKAGE = __name__.split(".")[0]
 _NOT_SPATIAL = {(2, 2): "a planar rotation has one angle, atan2(r21, r11)",
                 (4, 4): "take T[:3, :3], the rotation of a pose T"}
@@ -211,20 +213,25 @@ def choice(name: str, value: Any, options: tuple[str, ...]) -> str:
 
 
 def line(name: str, value: Any) -> str:
-    """One line of text, for a name or a unit."""
-    if not isinstance(value, str) or len(value.splitlines()) > 1:
+    """One line of text, for a name or a unit, that every file and every screen can hold."""
+    if not isinstance(value, str):
         raise ValueError(f"{name}: expected one line of text, got {brief(value)}")
+    if bad := next((sign for sign in value if category(sign) in _NO_TEXT), ""):
+        raise ValueError(f"{name}: expected one line of text, got {brief(value)}; "
+                         f"take out {bad!r}")
     return value
 
 
 def brief(value: Any, most: int = 60) -> str:
     """The value as it would be typed, shortened to fit a sentence."""
-    if isinstance(value, str | bytes | list | tuple):
-        value = value[:10 * most]  # of the rest nothing would be seen
     try:
+        if isinstance(value, str | bytes | list | tuple):
+            value = value[:10 * most]  # of the rest nothing would be seen
         text = " ".join(repr(value).split())
     except ValueError:  # Python writes out no whole number of more than 4300 digits
-        return f"a value of type {type(value).__name__} that is too long to show"
+        return f"a value of type {type(value).__name__[:most]} that is too long to show"
+    except Exception:  # its own repr, which may raise anything
+        return f"a value of type {type(value).__name__[:most]} that cannot be shown"
     return text if len(text) <= most else text[: most - 3] + "..."
 
 

@@ -197,8 +197,9 @@ def _write(renderer: RendererBase, mark: Mark, px: Transform) -> None:
 def _letters(text: str, weight: str) -> tuple[Path, float]:
     """The outlines of words in px, and how far their middle lies to the right."""
     corners, codes = text_to_path.get_text_path(_font(weight), text)
-    corners = np.asarray(corners) * _LETTERS / text_to_path.FONT_SCALE
-    return Path(corners, codes), float(corners[:, 0].max() + corners[:, 0].min()) / 2
+    corners = np.asarray(corners).reshape(-1, 2) * _LETTERS / text_to_path.FONT_SCALE
+    across = corners[:, 0] if len(corners) else np.zeros(1)  # some signs leave no ink
+    return Path(corners, codes), float(across.max() + across.min()) / 2
 
 
 @lru_cache
