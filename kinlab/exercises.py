@@ -74,8 +74,9 @@ def judged(judge: Judge, answer: Any) -> Verdict:
     except MemoryError:
         return Verdict(NOT_YET, "Your answer takes more memory than a check has.")
     except BaseException as error:  # the answer's own methods may raise anything
-        return Verdict(NOT_YET, "Your answer could not be read: it raised "
-                                f"{type(error).__name__}. Hand over what the exercise asks for.")
+        verdict = Verdict(NOT_YET, "Your answer could not be read: it raised "
+                                   f"{type(error).__name__[:LONGEST // 2]}. Hand over what the "
+                                   "exercise asks for.")
     if len(verdict.message) > LONGEST:
         verdict = replace(verdict, message=f"{verdict.message[:LONGEST]}...")
     return verdict
