@@ -7,12 +7,11 @@ const SUPPRESSED = "data-lm-suppress-shortcuts";    // what JupyterLab and Noteb
 const UNDOES = ["y", "z"];                          // with Ctrl
 
 /**
- * Whether a notebook is to have a key all the same: to run the cell, to save and the like.
+ * Whether a notebook is to have a key all the same: to save and the like.
  * @param {KeyboardEvent} event
  */
-const isNotebooks = ({ key, shiftKey, altKey, ctrlKey, metaKey }) => key === "Enter"
-  ? shiftKey || altKey || ctrlKey || metaKey
-  : (ctrlKey || metaKey) && !UNDOES.includes(key.toLowerCase());
+const isNotebooks = ({ key, ctrlKey, metaKey }) =>
+  (ctrlKey || metaKey) && !UNDOES.includes(key.toLowerCase());
 
 /**
  * Keep the keys that are pressed in an element from the notebook around it. Asked before the

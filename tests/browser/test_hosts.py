@@ -22,6 +22,7 @@ from kinlab.course.notebooks import METADATA
 pytestmark = pytest.mark.thorough
 ALPHA = kl.robots.alpha_ii
 LAB = PROJECT["optional-dependencies"]["lab"]
+ACTIVE = "window.jupyterapp?.shell.currentWidget?.content?.activeCellIndex"
 CELLS = [
     "import ipywidgets\nimport kinlab as kl",
     "arm = kl.ArmView(kl.robots.alpha_ii(), closed_form=True)\narm",
@@ -54,6 +55,8 @@ HOSTS = {
     "voila": Host("voila", "voila", (*NEEDED, "voila>=0.5", "ipykernel")),
 }
 every_host = pytest.mark.parametrize("host", HOSTS, scope="module", indirect=True)
+every_notebook = pytest.mark.parametrize("host", [name for name in HOSTS if name != "voila"],
+                                         scope="module", indirect=True)
 
 
 @pytest.fixture(scope="module")
@@ -106,10 +109,9 @@ def heard(page, degrees):
 @contextmanager
 def cell_stays(page):
     """The notebook, where there is one, stays at its cell."""
-    at = "window.jupyterapp?.shell.currentWidget?.content?.activeCellIndex"
-    before = page.evaluate(at)
+    before = page.evaluate(ACTIVE)
     yield
-    assert page.evaluate(at) == before
+    assert page.evaluate(ACTIVE) == before
 
 
 @every_host
@@ -186,8 +188,7 @@ FOCUSED = """k => {
 CELLS_OF = "jupyterapp.shell.currentWidget.content.model.cells.length"
 
 
-@pytest.mark.parametrize("host", [name for name in HOSTS if name != "voila"], scope="module",
-                         indirect=True)
+@every_notebook
 def test_whatever_of_ours_has_the_focus_keeps_its_keys_from_the_notebook(host):
     """A notebook would go to another cell, put one in below, or cut this one out."""
     arm_of(host)
@@ -203,8 +204,15 @@ def test_whatever_of_ours_has_the_focus_keeps_its_keys_from_the_notebook(host):
     assert tried > 40
 
 
-@pytest.mark.parametrize("host", [name for name in HOSTS if name != "voila"], scope="module",
-                         indirect=True)
+@every_notebook
+def test_the_notebook_is_still_saved_by_ctrl_s_when_a_view_has_the_focus(host):
+    arm_of(host).locator(".kl-picture").focus()
+    host.evaluate("jupyterapp.shell.currentWidget.context.model.dirty = true")
+    host.keyboard.press("Control+s")
+    host.wait_for_function("!jupyterapp.shell.currentWidget.context.model.dirty")
+
+
+@every_notebook
 def test_a_saved_notebook_shows_its_view_when_it_is_opened_again(host):
     host.evaluate("jupyterapp.commands.execute('docmanager:save')")
     host.wait_for_function("!jupyterapp.shell.currentWidget.context.model.dirty")

@@ -10,7 +10,7 @@ from urllib.request import urlopen
 import numpy as np
 import pytest
 from playwright.sync_api import expect
-from reading import READ, SETTLE, assert_picture, assert_table
+from reading import READ, SETTLE, assert_picture, assert_table, take
 
 import kinlab as kl
 
@@ -77,6 +77,11 @@ def wait_for(address, process, log):
     raise RuntimeError(f"marimo did not start:\n{log.read_text()}")
 
 
+def heard(page, degrees):
+    said = page.get_by_text(re.compile(f"^Python has {degrees} degrees$"))
+    expect(said).to_be_visible(timeout=20_000)
+
+
 def test_an_arm_shows_itself_moves_and_tells_python(server, browser):
     page = browser.new_page(viewport={"width": 1280, "height": 900})
     troubles = []
@@ -94,6 +99,11 @@ def test_an_arm_shows_itself_moves_and_tells_python(server, browser):
     seen = view.evaluate(READ)
     assert_picture(seen, ALPHA, np.radians([0, 3, 0, -90, 0]), (-60, 24, 1))
     assert_table(seen, ALPHA, np.radians([0, 3, 0, -90, 0]), 1)
-    expect(page.get_by_text(re.compile("Python has 3 degrees"))).to_be_visible(timeout=20_000)
+    heard(page, "3")
+    x, y = take(slider)
+    page.mouse.move(x + 20, y, steps=4)
+    page.mouse.up()
+    assert field.input_value() not in ("3.0", "0.0")
+    heard(page, f"{float(field.input_value()):g}")
     assert troubles == []
     page.close()
