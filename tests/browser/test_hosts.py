@@ -22,7 +22,8 @@ from kinlab.course.notebooks import METADATA
 pytestmark = pytest.mark.thorough
 ALPHA = kl.robots.alpha_ii
 LAB = PROJECT["optional-dependencies"]["lab"]
-ACTIVE = "window.jupyterapp?.shell.currentWidget?.content?.activeCellIndex"
+CONTENT = "window.jupyterapp?.shell.currentWidget?.content"
+ACTIVE = f"{CONTENT}?.activeCellIndex"
 CELLS = [
     "import ipywidgets\nimport kinlab as kl",
     "arm = kl.ArmView(kl.robots.alpha_ii(), closed_form=True)\narm",
@@ -92,6 +93,7 @@ def wait_for_kernel(page):
 
 def arm_of(page):
     view = page.locator(".kl-view").first
+    page.evaluate(f"{CONTENT}?.scrollToItem?.(1)")  # JupyterLab 4.2 hides cells that are far away
     view.scroll_into_view_if_needed()
     return view
 
