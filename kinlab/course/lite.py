@@ -10,6 +10,7 @@ from __future__ import annotations
 import base64
 import hashlib
 import json
+import os
 import shutil
 import subprocess
 import sys
@@ -23,6 +24,7 @@ from typing import Any
 import nbformat
 
 from ..browser import bundle
+from . import doors
 from .handout import FOLDER, all_notebooks, writing
 
 _HERE = Path(__file__).parent
@@ -39,11 +41,16 @@ _PACKED = ("anywidget", "comm", "ipywidgets", "jinja2", "latex2mathml", "markups
 _UP = "../" * (len(Path(_KERNEL).parts) + 2)
 # JupyterLab's settings: cells that are out of sight keep their views; a button for a fresh copy.
 _OVERRIDES = {
-    "@jupyterlab/notebook-extension:tracker": {"windowingMode": "defer"},
+    "@jupyterlab/notebook-extension:tracker": {"windowingMode": "none"},
     "@jupyterlab/notebook-extension:panel": {"toolbar": [
         {"name": "fresh-copy", "command": "kinlab:fresh-copy", "rank": 40}]},
     "@jupyterlab/apputils-extension:notification": {"fetchNews": "false",
                                                     "checkForUpdates": False}}
+# Parts of sympy that it does not load by itself: not worth their size, compiled.
+_RARE = tuple(f"sympy/{part}/" for part in (
+    "categories", "codegen", "combinatorics", "crypto", "diffgeom", "holonomic", "liealgebras",
+    "parsing/autolev", "physics", "stats", "unify", "vector"))
+_BROWSERS = (3, 12)  # Python, in that Pyodide
 PYODIDE = "0.27."  # the versions that the kernel knows
 
 
@@ -72,7 +79,10 @@ def build(folder: Path, pyodide: Path | None = None,
     with tempfile.TemporaryDirectory() as name:
         work, made = Path(name), Path(name) / "made"
         tell(f"Packing kinlab and the {len(_PACKED)} packages that it needs")
-        wheels = _pack(work / "wheels")
+        python = _compiler()
+        if not python:
+            tell("  (with Python {}.{} on the path the site would start faster)".format(*_BROWSERS))
+        wheels = _pack(work / "wheels", python)
         tell(f"Building JupyterLite with {len(all_notebooks())} notebooks")
         editions = _write_lessons(work / "files")
         _write_settings(work, wheels, pyodide is not None)
@@ -80,11 +90,12 @@ def build(folder: Path, pyodide: Path | None = None,
         _add_script(made / "lab", editions)
         with writing("OUT", folder):
             _move_in(made, folder)
+            doors.say_so(folder)
     if pyodide:
         tell("Copying Pyodide")
         with writing("OUT", folder):
             shutil.copytree(pyodide, folder / "static" / "pyodide", dirs_exist_ok=True)
-    tell(f"Done: put {folder} on any web server; the lessons are at lab/index.html")
+    tell(f"Done: put {folder} on any web server; the lessons are at {doors.LAB}")
 
 
 def _check_pyodide(folder: Path) -> None:
@@ -110,11 +121,14 @@ def _check_pyodide(folder: Path) -> None:
 # ---- The packages --------------------------------------------------------------------------------
 
 
-def _pack(folder: Path) -> list[Path]:
+def _pack(folder: Path, python: str | None) -> list[Path]:
     folder.mkdir()
-    return [_wheel(distribution(name), files, folder)
-            for name, files in [("kinlab", dict(_own())),
-                                *((name, dict(_pure(distribution(name)))) for name in _PACKED)]]
+    made = []
+    for name in ("kinlab", *_PACKED):
+        installed = distribution(name)
+        files = dict(_own() if name == "kinlab" else _pure(installed))
+        made.append(_wheel(installed, _compiled(files, python) if python else files, folder))
+    return made
 
 
 def _own() -> Iterator[tuple[str, bytes]]:
@@ -145,10 +159,36 @@ def _wheel(installed: Distribution, files: dict[str, bytes], folder: Path) -> Pa
                                 b"Root-Is-Purelib: true\nTag: py3-none-any\n"}
     record = "".join(f"{file},{_digest(data)},{len(data)}\n" for file, data in files.items())
     files[f"{about}/RECORD"] = f"{record}{about}/RECORD,,\n".encode()
-    with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as wheel:
+    with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED, compresslevel=9) as wheel:
         for file, data in files.items():
             wheel.writestr(file, data)
     return path
+
+
+def _compiler() -> str | None:
+    """A Python whose compiled files the browser's Python reads, if there is one here."""
+    if sys.version_info[:2] == _BROWSERS:
+        return sys.executable
+    found = shutil.which("python{}.{}".format(*_BROWSERS))
+    works = found and not subprocess.run([found, "--version"], capture_output=True).returncode
+    return found if works else None
+
+
+def _compiled(files: dict[str, bytes], python: str) -> dict[str, bytes]:
+    """The files, and beside each module what Python would make of it at its first import."""
+    with tempfile.TemporaryDirectory() as name:
+        for file, data in files.items():
+            if file.startswith(_RARE):
+                continue
+            path = Path(name, file)
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.write_bytes(data)
+        # Not every file of a library is meant for every Python; what cannot be compiled stays.
+        subprocess.run([python, "-m", "compileall", "-q", "-s", name, "-j", "0",
+                        "--invalidation-mode", "unchecked-hash", name],
+                       capture_output=True, env=os.environ | {"PYTHONPATH": ""})
+        made = Path(name).rglob("__pycache__/*.pyc")
+        return files | {path.relative_to(name).as_posix(): path.read_bytes() for path in made}
 
 
 def _digest(data: bytes) -> str:
@@ -231,7 +271,7 @@ def _move_in(made: Path, folder: Path) -> None:
     """What was made takes the place of an older build; a site's own front page stays."""
     for part in made.iterdir():
         target = folder / part.name
-        if part.name == "index.html" and (folder / "kinlab.js").is_file():
+        if part.name == "index.html" and doors.has_pages(folder):
             continue
         if target.is_dir():
             shutil.rmtree(target)

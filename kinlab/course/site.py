@@ -26,7 +26,7 @@ from nbconvert.filters.markdown_mistune import IPythonRenderer, MarkdownWithMath
 from pygments.formatters import HtmlFormatter
 
 from ..browser import bundle, mathml
-from . import minutes, pieces
+from . import doors, minutes, pieces
 from .handout import FOLDER, writing
 from .notebooks import run
 
@@ -36,8 +36,7 @@ _WELCOME = """# Forward kinematics of robot arms
 
 **Drag a joint, and the arm, its frames and its numbers answer together.**
 
-Everything moves in these pages. To run the code and to have your answers checked, open the
-notebooks in JupyterLab.
+{front}
 
 | lesson | question | |
 |:--|:--|:--|
@@ -160,14 +159,15 @@ def build(folder: Path, lessons: Sequence[Path] | None = None, progress: bool = 
     paths = lessons or sorted(FOLDER.glob("*.ipynb"))
     names = "\n".join(cell.source for cell in nbformat.read(paths[0], as_version=4).cells)
     course = [Lesson.read(path, names) for path in paths]
-    export, around = exporter(), [None, *course, None]
+    export, around, lite = exporter(), [None, *course, None], doors.has_lite(folder)
     for k, (lesson, made) in enumerate(_run_two_at_a_time(course)):
         if progress:
             print(f"\r  {k + 1} of {len(course)}  {lesson.path.stem:<32}", end="", file=sys.stderr)
         _write(export, folder / f"{lesson.path.stem}.html", made, title=lesson.title,
-               file=f"notebooks/{lesson.path.name}", previous=around[k], next=around[k + 2],
+               lesson=doors.lesson(lesson.path.name, lite),
+               check=doors.check(lesson.path.name, lite), previous=around[k], next=around[k + 2],
                map=True)
-    _write(export, folder / "index.html", course_map(course), title="Course map",
+    _write(export, folder / "index.html", course_map(course, lite), title="Course map",
            next=course[0])
     if progress:
         print(f"\r  {len(course)} lessons: open {folder / 'index.html'}{' ' * 20}", file=sys.stderr)
@@ -192,11 +192,12 @@ def still(notebook: nbformat.NotebookNode) -> nbformat.NotebookNode:
     return made
 
 
-def course_map(course: Sequence[Lesson]) -> nbformat.NotebookNode:
+def course_map(course: Sequence[Lesson], lite: bool = False) -> nbformat.NotebookNode:
     """The page that leads to all lessons, as a notebook."""
     rows = "".join(f"| [{lesson.name}]({lesson.page}) | {lesson.title} | {lesson.minutes} |\n"
                    for lesson in course)
-    return nbformat.v4.new_notebook(cells=[nbformat.v4.new_markdown_cell(_WELCOME + rows)])
+    return nbformat.v4.new_notebook(cells=[nbformat.v4.new_markdown_cell(
+        _WELCOME.format(front=doors.front(lite)) + rows)])
 
 
 def style() -> str:

@@ -20,6 +20,9 @@ from ..arms.motions import Numbers
 from .scene import Scene
 
 IDLE = 20.0  # seconds
+# In a browser's Python there is no process but the kernel: matplotlib would take longer than all
+# else before the first view is seen. So only pictures that are asked for are drawn there.
+ASKED_ONLY = sys.platform == "emscripten"
 
 Job = tuple[Scene, Numbers, str, Sequence[str], str]  # what `figure` takes, and words
 

@@ -239,6 +239,8 @@ class LiveView(anywidget.AnyWidget):
 
     def _elsewhere(self) -> tuple[dict, dict]:
         """A text and a picture, with words for those who cannot see it."""
+        if worker.ASKED_ONLY:
+            return {"text/plain": repr(self)}, {}
         return ({"text/plain": repr(self), "image/png": self._still(self._run())},
                 {"image/png": {"alt": f"{self.ALT} {self!r}"}})
 
