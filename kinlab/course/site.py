@@ -35,12 +35,8 @@ _TAGS = re.compile(r"(</?(?:details|summary|sub|sup|br)\s*/?>)")  # that a lesso
 _WELCOME = """# Forward kinematics of robot arms
 
 **Drag a joint, and the arm, its frames and its numbers answer together.**
-
-{front}
-
-| lesson | question | |
-|:--|:--|:--|
 """
+_HEAD = "| lesson | question | |\n|:--|:--|:--|\n"
 
 
 @dataclass(frozen=True)
@@ -164,11 +160,11 @@ def build(folder: Path, lessons: Sequence[Path] | None = None, progress: bool = 
         if progress:
             print(f"\r  {k + 1} of {len(course)}  {lesson.path.stem:<32}", end="", file=sys.stderr)
         _write(export, folder / f"{lesson.path.stem}.html", made, title=lesson.title,
-               lesson=doors.lesson(lesson.path.name, lite),
+               how=doors.lesson(lesson.path.name, lite),
                check=doors.check(lesson.path.name, lite), previous=around[k], next=around[k + 2],
                map=True)
-    _write(export, folder / "index.html", course_map(course, lite), title="Course map",
-           next=course[0])
+    _write(export, folder / "index.html", course_map(course), title="Course map",
+           how=doors.front(lite), next=course[0])
     if progress:
         print(f"\r  {len(course)} lessons: open {folder / 'index.html'}{' ' * 20}", file=sys.stderr)
 
@@ -192,12 +188,12 @@ def still(notebook: nbformat.NotebookNode) -> nbformat.NotebookNode:
     return made
 
 
-def course_map(course: Sequence[Lesson], lite: bool = False) -> nbformat.NotebookNode:
+def course_map(course: Sequence[Lesson]) -> nbformat.NotebookNode:
     """The page that leads to all lessons, as a notebook."""
     rows = "".join(f"| [{lesson.name}]({lesson.page}) | {lesson.title} | {lesson.minutes} |\n"
                    for lesson in course)
-    return nbformat.v4.new_notebook(cells=[nbformat.v4.new_markdown_cell(
-        _WELCOME.format(front=doors.front(lite)) + rows)])
+    return nbformat.v4.new_notebook(cells=[
+        nbformat.v4.new_markdown_cell(text) for text in (_WELCOME, _HEAD + rows)])
 
 
 def style() -> str:
