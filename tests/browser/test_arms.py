@@ -42,7 +42,7 @@ def check(view, robot, camera):
 
 
 @pytest.mark.parametrize("robot", chosen(
-    COURSE, ["two_link", "intelledex_660t"], [robot.__name__ for robot in COURSE]))
+    COURSE, ["intelledex_660t"], [robot.__name__ for robot in COURSE]))
 def test_sliders_move_the_arm_as_kinematics_says(live, robot):
     arm, name = robot(), robot.__name__
     (view,) = live(f"import kinlab as kl\nview = kl.ArmView(kl.robots.{name}())\nview")

@@ -7,7 +7,8 @@ from pathlib import Path
 import pytest
 
 
-@pytest.mark.parametrize("required, outcome", [("0", "skipped"), ("1", "error")])
+@pytest.mark.parametrize("required, outcome", [
+    pytest.param("0", "skipped", marks=pytest.mark.thorough), ("1", "error")])
 def test_no_chromium(tmp_path, required, outcome):
     """Run one browser test where no Chromium can be found."""
     said = _run(tmp_path, "test_plain_page.py::test_a_screen_reader_hears_where_the_tool_is",

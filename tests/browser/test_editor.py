@@ -164,6 +164,7 @@ def test_the_convention_is_asked_for_plainly(table):
     assert position(editor) != [485.1, 0, 215]
 
 
+@pytest.mark.thorough
 def test_units_and_named_lengths(table):
     editor = table()
     editor.get_by_label("Angles", exact=True).select_option("rad")
@@ -180,6 +181,7 @@ def test_units_and_named_lengths(table):
     assert python(editor, "editor.arm.links[1].d, editor.arm.unit") == "-0.5 m"
 
 
+@pytest.mark.thorough
 def test_what_is_being_typed_is_never_touched(table):
     editor = table()
     a3 = cell(editor, 3, "a")
@@ -235,6 +237,7 @@ def test_the_view_stays_as_it_was_turned(table):
     np.testing.assert_allclose(assert_turned, [1, 1, 0, -90, 0], atol=1e-9)
 
 
+@pytest.mark.thorough
 def test_no_blank_picture_between_two_arms(table):
     """Every frame that is painted holds a whole picture of the same height."""
     editor = table()
@@ -331,6 +334,7 @@ def test_a_table_is_pasted_into_any_cell_and_taken_back(table):
     assert python(editor, "repr(editor.arm) == repr(kl.robots.alpha_ii())") == "True"
 
 
+@pytest.mark.thorough
 def test_a_number_is_pasted_as_ever(table):
     editor = table()
     assert paste(cell(editor, 2, "a"), "0.5\r\n", "<table><tr><td>0.5</td></tr></table>")
@@ -339,6 +343,7 @@ def test_a_number_is_pasted_as_ever(table):
     assert python(editor, "repr(editor.arm) == repr(kl.robots.alpha_ii())") == "True"
 
 
+@pytest.mark.thorough
 def test_cells_of_a_page_are_pasted(table):
     editor = table()
     rows = [("theta", "d", "a", "alpha"), ("0°", "10", "20", "-90°"), ("0°", "0", "30", "0°")]
@@ -368,6 +373,7 @@ def test_what_is_unclear_is_asked_and_answered_by_keyboard(table):
     assert python(editor, "editor.arm.n, editor.arm.links[0].alpha") == "2 1.5708"
 
 
+@pytest.mark.thorough
 def test_a_table_is_pasted_into_the_box(table):
     editor = table()
     button(editor, "Save, load").click()
@@ -380,6 +386,7 @@ def test_a_table_is_pasted_into_the_box(table):
     expect(area).to_have_value(python(editor, "editor.to_csv()") + "\n")
 
 
+@pytest.mark.thorough
 def test_a_file_is_dropped_on_the_table(table):
     editor = table()
     editor.locator(".kl-dh").evaluate("""node => {
@@ -411,6 +418,7 @@ def test_a_fixed_row_and_a_joint_that_counts_the_other_way(table):
     expect(flip).to_have_attribute("aria-pressed", "false")
 
 
+@pytest.mark.thorough
 def test_a_joint_is_locked_and_unlocked(table):
     editor = table()
     run_code(editor.page, "editor.theta_2 = 25")
@@ -451,6 +459,7 @@ def test_a_tool_is_typed(table):
     wait_for_position(editor, [485.1, 0, 215])
 
 
+@pytest.mark.thorough
 def test_an_odd_angle_is_hinted_at(table):
     editor = table()
     alpha = cell(editor, 1, "α")
@@ -480,6 +489,7 @@ def test_it_is_seen_whole_and_has_names_in_both_themes(table):
     assert wide
 
 
+@pytest.mark.thorough
 def test_two_views_of_one_table_agree(table):
     one, two = table(CELL, "editor", views=2)
     type_in(cell(one, 2, "a"), "300")

@@ -70,7 +70,7 @@ def most_in_a_second(said):
                for found in times.values() for first in found)
 
 
-@pytest.mark.parametrize("busy", ["", BUSY], ids=["idle", "busy"])
+@pytest.mark.parametrize("busy", chosen(["", BUSY], ["idle"], ["idle", "busy"]))
 def test_a_drag_tells_python_ten_times_a_second_and_the_last_value(live, busy):
     (view,) = live(SHOW)
     page = view.page
@@ -135,7 +135,7 @@ def assert_moves_alone(view, k=1):
 
 
 @pytest.mark.parametrize("end", chosen(
-    [RESTART, KILL, SHUT_DOWN], ["restart", "kill"], ["restart", "kill", "shut down"]))
+    [RESTART, KILL, SHUT_DOWN], ["restart"], ["restart", "kill", "shut down"]))
 def test_without_its_kernel_a_view_moves_and_says_that_python_is_gone(live, end):
     view, again = live(SHOW, "view", views=2)
     page = view.page
@@ -216,6 +216,7 @@ def assert_drawn(view, values):
     assert_table(seen, ALPHA, np.radians(values), 1)
 
 
+@pytest.mark.thorough
 def test_a_page_loaded_again_shows_the_arm_as_it_stands(own_page, lab, root):
     page = own_page(SHOW)
     run_all(page)
