@@ -1,4 +1,4 @@
-"""Forward kinematics of a PUMA 560: kinlab, Robotics Toolbox, Pinocchio, and the floor.
+"""Forward kinematics and Jacobians of a PUMA 560: kinlab, Robotics Toolbox, Pinocchio, the floor.
 
 The floor is taking the twelve sines and cosines of each pose, and nothing else.
 """
@@ -17,6 +17,7 @@ from kinlab.arms.kinematics import CHUNK
 
 BATCHES = (1, 1_000, 1_000_000)
 ROUNDS = {1: 9, 1_000: 9, 1_000_000: 5}
+POSE_US, JACOBIAN_US = 25, 30  # goals for a single pose, its arguments checked
 FKINE_AT_MOST = 10_000  # poses; a million would take fkine minutes, and per pose it is no faster
 
 ROWS = [dict(d=0.6718299999999999, alpha=pi / 2), dict(a=0.4318),
@@ -91,6 +92,31 @@ def pinocchio_stored(pin: object, model: object, data: object, q: np.ndarray) ->
     return poses
 
 
+def jacobians() -> dict[str, Solver]:
+    """The Jacobian of a single pose, rows [v; w] in base axes: kinlab's, and the peers' own."""
+    rtb, pin = peer("roboticstoolbox"), peer("pinocchio")
+    solvers = {"kinlab": partial(kl.jacobian, PUMA)}
+    if rtb is not None:
+        solvers["ETS.jacob0"] = rtb.models.DH.Puma560().ets().jacob0
+    if pin is not None:
+        model = pinocchio_model(pin)
+        solvers["Pinocchio"] = partial(pinocchio_jacobian, pin, model, model.createData())
+    return solvers
+
+
+def pinocchio_jacobian(pin: object, model: object, data: object, q: np.ndarray) -> np.ndarray:
+    pin.computeJointJacobians(model, data, q)
+    return pin.getJointJacobian(model, data, 6, pin.LOCAL_WORLD_ALIGNED)
+
+
+def measured_jacobians() -> dict[str, list[float]]:
+    """Seconds of a single Jacobian, round by round, once all were found to agree."""
+    q, solvers = np.random.default_rng(1).uniform(-pi, pi, 6), jacobians()
+    ours = solvers["kinlab"](q)
+    assert all(np.abs(solve(q) - ours).max() < 1e-9 for solve in solvers.values())
+    return interleaved({name: partial(solve, q) for name, solve in solvers.items()}, ROUNDS[1])
+
+
 def largest_difference(solvers: dict[str, Solver], q: np.ndarray) -> float:
     """Largest entry by which any solver differs from kinlab."""
     ours = kinlab_poses(q)
@@ -124,7 +150,7 @@ def missing() -> list[list]:
             if peer(module) is None]
 
 
-def show_goals(times: dict[int, dict[str, list[float]]]) -> None:
+def show_goals(times: dict[int, dict[str, list[float]]], jacobian: dict[str, list[float]]) -> None:
     largest = times[BATCHES[-1]]
     for kind in ("chunked", "naive"):
         x = ratio(largest["kinlab, stored"], largest[f"floor, {kind}"])
@@ -136,6 +162,10 @@ def show_goals(times: dict[int, dict[str, list[float]]]) -> None:
             how = f"{x:.1f} times faster" if x else NOT_INSTALLED
             goal(f"ahead of {peer_name.split(',')[0]} per pose, batch of {batch}: {how}",
                  x and x > 1)
+    for what, t, most in (("pose", times[1]["kinlab, stored"], POSE_US),
+                          ("Jacobian", jacobian["kinlab"], JACOBIAN_US)):
+        goal(f"a single {what} in at most {most} us, its arguments checked: {1e6 * min(t):.1f} us",
+             1e6 * min(t) <= most)
 
 
 def main() -> None:
@@ -147,10 +177,14 @@ def main() -> None:
     print(f"All that store results agree over 1000 poses, within {difference:.1g}.\n")
     solvers = {"floor, chunked": floor_chunked, "floor, naive": floor_naive, **stored}
     times = {batch: measured(solvers, batch) for batch in BATCHES}
+    jacobian = measured_jacobians()
     progress()
     table(["PUMA 560", "batch", "measured on", "median us/pose", "best us/pose",
            "times kinlab"], rows(times) + missing())
-    show_goals(times)
+    table(["Jacobian of one pose", "median us", "best us", "times kinlab"],
+          [[name, 1e6 * median(t), 1e6 * min(t), ratio(t, jacobian["kinlab"])]
+           for name, t in jacobian.items()])
+    show_goals(times, jacobian)
 
 
 if __name__ == "__main__":

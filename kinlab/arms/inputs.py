@@ -268,8 +268,9 @@ def in_radians(name: str, angles: ArrayLike) -> None:
 
 def within(numbers: np.ndarray, most: float) -> bool:
     """Whether all numbers are finite and none is farther from 0 than the most."""
-    # The sum of squares tells at once where they are few and small, as one pose is.
-    return bool(np.vdot(numbers, numbers) <= most * most or farthest(numbers) <= most)
+    # Of one pose or one matrix the sum of squares tells it sooner.
+    few = numbers.size < 100 and np.vdot(numbers, numbers) <= most * most
+    return bool(few or farthest(numbers) <= most)
 
 
 def farthest(numbers: np.ndarray) -> float:
