@@ -7,14 +7,13 @@ from __future__ import annotations
 
 import io
 from collections.abc import Sequence
+from dataclasses import dataclass
 from functools import lru_cache
 
 import numpy as np
-from matplotlib.artist import Artist
 from matplotlib.backend_bases import GraphicsContextBase, RendererBase
-from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.backends.backend_agg import RendererAgg
 from matplotlib.colors import to_rgba
-from matplotlib.figure import Figure
 from matplotlib.font_manager import FontProperties
 from matplotlib.path import Path
 from matplotlib.textpath import text_to_path
@@ -36,21 +35,34 @@ _LETTERS, _RISE, _RIM = 12.5, 0.28, 3.0     # px; of their size: from a baseline
 _RIM_COLOUR = "#ffffffd9"
 _FAINT, _EDGE = 10, 12                      # of 255: no more from white is empty; px: left round
 _BAND, _PILL = 44.0, 30.0                   # px: height of the words' place, and of what holds them
+_PAPER: Paint = {"fill": "white", "stroke": "none"}
 _WORDS: Paint = {"fill": "#1f3a56"}
 _BEHIND: Paint = {"fill": "#f7fafd", "stroke": "#8fa9c0", "stroke-width": 1.0}
 
 
+@dataclass(frozen=True)
+class Figure:
+    """A picture to be drawn, part by part, in px of its own.
+
+    Not matplotlib's: that one loads axes of all kinds, for which a first picture would wait.
+    """
+
+    parts: list[Part]
+    size: tuple[float, float]
+
+    def draw(self, renderer: RendererBase, px: Transform) -> None:
+        """Draw all of it; `px` leads from its px to those of the renderer."""
+        for part in self.parts:
+            part.draw(renderer, px)
+
+
 def figure(scene: Scene, q: Numbers, preset: str = "",
            show: Sequence[str] = ("frames", "labels", "floor")) -> Figure:
-    """The scene drawn at joint values `q`, every part carrying its `gid`."""
-    parts, (width, height) = still(scene, q, preset, show), scene.size
+    """The scene drawn at joint values `q`, every part with its name."""
+    drawn, (width, height) = still(scene, q, preset, show), scene.size
     if scene.chart:
-        parts, height = [*parts, *chart_marks(scene.chart, q, scene.size)], height + HEIGHT
-    fig = Figure(figsize=(width / 72, height / 72), dpi=72, facecolor="white")
-    px = _down(fig, height)
-    for drawn in parts:
-        fig.add_artist(_Part(drawn, px))
-    return fig
+        drawn, height = [*drawn, *chart_marks(scene.chart, q, scene.size)], height + HEIGHT
+    return Figure([Part(one) for one in drawn], (width, height))
 
 
 def prepare() -> None:
@@ -73,9 +85,11 @@ def png(fig: Figure, words: str = "") -> bytes:
 
 
 def _pixels(fig: Figure) -> Image.Image:
-    fig.set_dpi(_DPI)
-    canvas = FigureCanvasAgg(fig)
-    canvas.draw()
+    width, height = fig.size
+    px = Affine2D().translate(0, -height).scale(1 / 72, -1 / 72).scale(_DPI)
+    canvas = RendererAgg(width / 72 * _DPI, height / 72 * _DPI, _DPI)
+    _stroke(canvas, Path.unit_rectangle(), Affine2D().scale(width, height) + px, _PAPER)
+    fig.draw(canvas, px)
     return Image.fromarray(np.asarray(canvas.buffer_rgba())).convert("RGB")
 
 
@@ -102,37 +116,29 @@ def _under(picture: Image.Image, words: str) -> Image.Image:
     pill = np.vstack([end + (x + r, y), -end + (x + long - r, y)])
     run = np.array([[0, -6], [0, 6], [10, 0]]) + (x + 0.75 * _PILL, y)
     place = np.array([[x + 1.5 * _PILL + middle, y]])
-    fig = Figure(figsize=(width / 72, _BAND / 72), dpi=72, facecolor="white")
-    fig.add_artist(_Part(Drawn("words", [
+    line = Part(Drawn("words", [
         Mark([pill], _BEHIND, closed=True), Mark([run], _WORDS, closed=True),
-        Mark([place], _WORDS, text=words)]), _down(fig, _BAND)))
-    below = _pixels(fig)
+        Mark([place], _WORDS, text=words)]))
+    below = _pixels(Figure([line], (width, _BAND)))
     both = Image.new("RGB", (below.width, picture.height + below.height), "white")
     both.paste(picture, ((below.width - picture.width) // 2, 0))
     both.paste(below, (0, picture.height))
     return both
 
 
-def _down(fig: Figure, height: float) -> Transform:
-    """From px, counted down from the top, to a figure of that height."""
-    return Affine2D().translate(0, -height).scale(1 / 72, -1 / 72) + fig.dpi_scale_trans
+class Part:
+    """All marks of one thing, in one named group."""
 
-
-class _Part(Artist):
-    """All marks of one thing, in one named group; `px` leads from their px to the figure."""
-
-    def __init__(self, drawn: Drawn, px: Transform) -> None:
-        super().__init__()
-        self.set_gid(drawn.gid)
+    def __init__(self, drawn: Drawn) -> None:
+        self.gid = drawn.gid
         # A path that clips has to outlast the picture: Agg knows it again by its address.
         self.marks = [(mark, _path(mark.lines, closed=mark.closed)) for mark in drawn.marks
                       if any(len(line) for line in mark.lines)]
-        self.px = px
 
-    def draw(self, renderer: RendererBase) -> None:
-        renderer.open_group("part", gid=self.get_gid())
+    def draw(self, renderer: RendererBase, px: Transform) -> None:
+        renderer.open_group("part", gid=self.gid)
         for mark, path in self.marks:
-            _paint(renderer, mark, path, self.px)
+            _paint(renderer, mark, path, px)
         renderer.close_group("part")
 
 

@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 from lesson_views import VIEWS
 from matplotlib.backends.backend_svg import RendererSVG
+from matplotlib.transforms import IdentityTransform
 from PIL import Image
 
 import kinlab as kl
@@ -39,7 +40,7 @@ class Groups(RendererSVG):
     """Keeps the names of groups and what is drawn in each."""
 
     def __init__(self, fig):
-        super().__init__(*72 * fig.get_size_inches(), io.StringIO(), image_dpi=72)
+        super().__init__(*fig.size, io.StringIO(), image_dpi=72)
         self.found = []
 
     def open_group(self, s, gid=None):
@@ -57,8 +58,7 @@ def test_every_mark_is_drawn_in_a_group_with_its_name(robot):
     scene = arm_scene(arm)
     fig = figure.figure(scene, arm.home, show=LAYERS)
     groups = Groups(fig)
-    for artist in fig.artists:
-        artist.draw(groups)
+    fig.draw(groups, IdentityTransform())
     drawn = still(scene, arm.home, show=LAYERS)
     assert [gid for gid, _ in groups.found] == [part.gid for part in drawn]
     full = [sum(2 if mark.text else 1 for mark in part.marks if any(map(len, mark.lines)))
@@ -72,7 +72,7 @@ def test_still_pictures_of_lessons_are_small(make):
     fig = figure.figure(scene, scene.begin, show=scene.shown)
     picture = figure.png(fig)
     assert picture.startswith(b"\x89PNG\r\n\x1a\n") and len(picture) < 80_000
-    close(np.frombuffer(picture[16:24], ">u4"), 1.5 * 72 * fig.get_size_inches(), atol=1)
+    close(np.frombuffer(picture[16:24], ">u4"), 1.5 * np.array(fig.size), atol=1)
 
 
 @pytest.mark.thorough
@@ -143,7 +143,9 @@ def test_the_users_settings_stay_and_do_not_spoil_the_picture(setting):
         assert dict(matplotlib.rcParams) == before
 
 
-def test_drawing_needs_no_pyplot():
-    code = "import sys, kinlab.drawing.figure; print('matplotlib.pyplot' in sys.modules)"
+def test_drawing_needs_no_pyplot_and_no_axes():
+    """Nobody waits for them before a first picture."""
+    code = "import sys, kinlab.drawing.figure; print(*sys.modules)"
     out = subprocess.run([sys.executable, "-c", code], check=True, capture_output=True, text=True)
-    assert out.stdout.strip() == "False"
+    assert not {"matplotlib.pyplot", "matplotlib.axes"} & set(out.stdout.split())
+    assert "matplotlib.path" in out.stdout.split()
