@@ -63,6 +63,7 @@ class Verdict:
 
     def _repr_html_(self) -> str:
         symbol, colour = _LOOKS[self.word]
-        return (f'<div style="border-left: 6px solid rgb({colour}); padding: 0.5em 0.9em; '
-                f'background: rgba({colour}, 0.12)"><strong>{symbol} {self.word}.</strong> '
+        return (f'<div role="status" style="border-left: 6px solid rgb({colour}); '
+                f'padding: 0.5em 0.9em; background: rgba({colour}, 0.12)">'
+                f"<strong>{symbol} {self.word}.</strong> "
                 f"{escape(self.message)}</div>")
