@@ -3,6 +3,7 @@
 
 import { button, group, lowered, make } from "./dom.js";
 import { menu, picker } from "./menu.js";
+import { rove } from "./roving.js";
 
 /** @import { Item, Scene } from "./types.js" */
 
@@ -73,6 +74,7 @@ export class Bar {
                           { class: "kl-button kl-opener" }, true);
     this.node = make("div", { class: "kl-toolbar", role: "toolbar", "aria-label": "View" },
                      this.moves(steps), ...this.stages(), opener, this.more);
+    rove(this.node);
   }
 
   // ---- groups ----

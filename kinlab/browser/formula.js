@@ -1,7 +1,8 @@
 // The matrix under a picture. Where it is wider than the page it is shown column by column, each
 // entry in lines as long as the page, so that nobody has to scroll for the position.
 
-import { button, group, hear, make } from "./dom.js";
+import { button, hear, make } from "./dom.js";
+import { rove } from "./roving.js";
 
 /** @import { Pose } from "./types.js" */
 
@@ -78,8 +79,10 @@ export function fitFormula(node, names) {
   const paper = make("div", { class: "kl-on-paper" });   // where nobody can choose
   const printing = () => paper.replaceChildren(...names.flatMap(({ name }, column) =>
     rows.map(({ children }, row) => line(children[column], name, row))));
-  const columns = make("div", { class: "kl-columns", hidden: "" },
-    group("Columns of the matrix", ...tabs), lines, paper);
+  const choice = make("span", { class: "kl-group", role: "toolbar",
+    "aria-label": "Columns of the matrix" }, ...tabs);
+  const columns = make("div", { class: "kl-columns", hidden: "" }, choice, lines, paper);
+  rove(choice);
   const ruler = make("div");                        // as wide as the page, and never higher
   const sizes = new ResizeObserver(() => {
     whole.style.display = "";

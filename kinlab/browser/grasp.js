@@ -1,7 +1,7 @@
 // Hands on the picture: what can be held there is dragged by a pointer or moved by keys.
 
 import { onPicture } from "./camera.js";
-import { claim, hear, make, write } from "./dom.js";
+import { claim, hear } from "./dom.js";
 import { chainTo, pullHandle, pullJoint, roundness, speeds, touched } from "./handles.js";
 import { frames } from "./frames.js";
 import { holdsOf, seenFlat } from "./holds.js";
@@ -51,9 +51,8 @@ export class Grasp {
     this.bodies = bodies;
     this.flat = seenFlat(this.scene);
     box.classList.toggle("kl-turns", !this.flat);
-    this.spoken = make("div", { class: "kl-spoken", role: "status" });
     this.rings = drawn("g", { "data-part": "handles" }, ...holds.map(({ ring }) => ring));
-    box.append(...holds.map(({ node }) => node), this.spoken);
+    box.append(...holds.map(({ node }) => node));
     this.always = matchMedia("(hover: none)").matches;   // no pointer that finds them
     this.listen();
   }
@@ -339,12 +338,15 @@ export class Grasp {
     }
   }
 
-  /** Tell assistive technology where everything is. */
+  /**
+   * Tell assistive technology where everything is; what there is to say of what has the focus, if
+   * that is no slider, which says it itself.
+   */
   describe() {
     const q = this.joints.read(), { at: all } = this.picture;
     for (const hold of this.holds) hold.describe(all, q);
     const now = this.holds.find(({ node, alone }) => !alone && node.matches(":focus"));
-    write(this.spoken, now ? `${now.name}, ${now.state(all, q)}` : "");
+    return now ? `${now.name}, ${now.state(all, q)}` : "";
   }
 
   /** What the keys do here, for the picture's description. */

@@ -26,7 +26,7 @@ import { holdings, inWords, pictured } from "./pointing.js";
 export class Highlight {
   flashes = new Flashes();
 
-  caption = make("div", { class: "kl-pointed", role: "status" });
+  caption = make("div", { class: "kl-pointed" });
 
   found = false;
 

@@ -5,6 +5,7 @@ import { lightUp, pointFrom, walkThrough } from "./hover.js";
 import { keepKeys } from "./notebook_keys.js";
 import { Pointing } from "./pointing.js";
 import { afterOthers, keepViews } from "./saved_views.js";
+import { letScroll } from "./scrolls.js";
 import { showTable } from "./table.js";
 import { showView } from "./widget.js";
 
@@ -23,6 +24,7 @@ function render({ model, el }) {
   el.classList.add("kl-editor");
   el.append(table, panel, arm);
   fill();
+  letScroll(panel);
   model.on("change:panel", fill);
   const ends = [keepKeys(el), showTable(model, table, light), showView(model, arm, pointing),
                 pointing.listen(light), ...beside.map((part) => pointFrom(part, pointing))];

@@ -1,23 +1,9 @@
 // A button that opens a panel of further controls. Escape closes it; arrow keys walk through it.
 
 import { button, claim, hear, make } from "./dom.js";
+import { rove } from "./roving.js";
 
-const ONWARD = ["ArrowDown", "ArrowRight"], BACKWARD = ["ArrowUp", "ArrowLeft"];
 let panels = 0;                                     // so far: each has an id of its own
-
-/**
- * Move the focus to the next or the last control of a panel, round its ends.
- * @param {HTMLElement} panel
- * @param {1 | -1} by
- */
-function focusNext(panel, by) {
-  /** @type {NodeListOf<HTMLElement>} */
-  const found = panel.querySelectorAll("button, input, select");
-  const controls = [...found].filter((node) => node.offsetParent && !node.matches(":disabled"));
-  const at = controls.indexOf(/** @type {HTMLElement} */ (document.activeElement));
-  const next = at < 0 && by < 0 ? controls.length - 1 : at + by;
-  controls.at(next % (controls.length || 1))?.focus();
-}
 
 /**
  * A button and its panel, as two elements that follow each other.
@@ -46,18 +32,27 @@ export function menu(text, title, panel, attributes = {}, stays = false) {
     ignore();
     if (on && !stays) ignore = hear(document, { pointerdown: elsewhere, focusin: elsewhere }, true);
   };
-  const key = (/** @type {KeyboardEvent} */ event) => {
-    const by = ONWARD.includes(event.key) ? 1 : BACKWARD.includes(event.key) ? -1 : 0;
-    if (event.key === "Escape" && !panel.hidden) {
-      open(false);
-      opener.focus();
-    } else if (by && !panel.hidden && !(event.target instanceof HTMLSelectElement)) {
-      focusNext(panel, by);
-    } else return;
+  const leave = (/** @type {KeyboardEvent} */ event) => {
+    if (event.key !== "Escape" || panel.hidden) return;
+    open(false);
+    opener.focus();
+    claim(event);
+  };
+  const enter = (/** @type {KeyboardEvent} */ event) => {
+    const end = { ArrowDown: 0, ArrowUp: -1 }[event.key];
+    if (end == null) return;
+    open(true);
+    /** @type {NodeListOf<HTMLElement>} */
+    const controls = panel.querySelectorAll("button, input");
+    [...controls].at(end)?.focus();
     claim(event);
   };
   panel.hidden = true;
-  for (const node of [opener, panel]) node.addEventListener("keydown", key);
+  for (const node of [opener, panel]) node.addEventListener("keydown", leave);
+  if (!stays) {                                     // the other one's controls are its toolbar's
+    opener.addEventListener("keydown", enter);
+    rove(panel);
+  }
   return [opener, panel];
 }
 

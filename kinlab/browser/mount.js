@@ -15,9 +15,10 @@ import { seenFlat } from "./holds.js";
 import { missed, poseTable, readingLines } from "./panels.js";
 import { Picture } from "./picture.js";
 import { Plan } from "./plan.js";
-import { Mover } from "./player.js";
+import { Mover, wantsCalm } from "./player.js";
 import { orbit } from "./pointer.js";
 import { Pointing } from "./pointing.js";
+import { letAllScroll } from "./scrolls.js";
 import { Walk, stages } from "./stages.js";
 import { minus } from "./vectors.js";
 
@@ -26,6 +27,8 @@ import { minus } from "./vectors.js";
 /** @import { Spot, TargetScene } from "./types.js" */
 
 const MOVE = 700, TOUR = 900;                       // ms from pose to pose
+const CALM_STEPS = 200;                             // of names to their places, in one picture
+const USUAL_LETTERS = 16;                           // px: a browser's usual ones
 const HEARD = 400;                                  // ms: a screen reader need not hear every step
 
 /**
@@ -105,7 +108,8 @@ class View {
     this.lines = readingLines(scene);
     this.chart = scene.chart && new Chart(scene.chart, scene.paints);
     this.error = make("div", { class: "kl-number" });
-    this.remark = make("div", { class: "kl-remark", role: "status" });
+    this.remark = make("div", { class: "kl-remark" });
+    this.spoken = make("div", { class: "kl-spoken", role: "status" });
     this.formula = make("div", { class: "kl-math", role: "group", "aria-label": "Formula" });
     this.formula.innerHTML = formula;               // MathML that kinlab has made
     this.chase = scene.target && follower(/** @type {TargetScene} */ (scene), joints,
@@ -128,7 +132,7 @@ class View {
     element.classList.toggle("kl-wide", scene.wide);
     if (!before) element.append(plan.node);
     write(plan.title, scene.name);
-    plan.put("stage", box, this.bar.node);
+    plan.put("stage", box, this.bar.node, this.spoken);
     plan.put("side", pose?.node, lines.node, this.remark);
     const staged = this.formula.querySelector("[data-stages]");
     if (this.formula.innerHTML) plan.put(staged ? "side" : "below", this.formula);
@@ -143,7 +147,9 @@ class View {
       this.highlight.begin(),
       () => this.chart?.leave(),
       () => this.sizes.disconnect());
+    letAllScroll(plan.node, ".kl-math");
     this.draw();
+    this.describe();
     this.sizes.observe(box);
   }
 
@@ -151,7 +157,8 @@ class View {
   sizes = new ResizeObserver(() => {
     const { clientWidth, clientHeight } = this.box;
     if (!clientWidth || !clientHeight) return;      // taken out, or in a page that is not shown
-    this.picture.resize(clientWidth, clientHeight);
+    const { fontSize } = getComputedStyle(document.documentElement);
+    this.picture.resize(clientWidth, clientHeight, parseFloat(fontSize) / USUAL_LETTERS);
     this.draw();
   });
 
@@ -233,7 +240,10 @@ class View {
   }
 
   /** @param {boolean} on */
-  playing(on) { this.bar?.playing(on); }
+  playing(on) {
+    this.bar?.playing(on);
+    if (!on) this.tellLater();
+  }
 
   fill() {
     if (document.fullscreenElement) document.exitFullscreen();
@@ -265,8 +275,6 @@ class View {
     if (this.picture.steady.moving) this.redraw();  // back to its frame, after a drag
     this.note(this.said);
     this.settle();
-    clearTimeout(this.heard);
-    this.heard = setTimeout(() => this.describe(), HEARD);
   }
 
   /** @param {number} stage of those that have buttons, or parts of the formula */
@@ -278,12 +286,16 @@ class View {
     }
   }
 
-  /** Let the names in the picture go on to their places, when nothing else moves any more. */
+  /**
+   * Let the names in the picture go on to their places, when nothing else moves any more. Who
+   * prefers less motion sees them there at once.
+   */
   settle() {
     cancelAnimationFrame(this.settling);
     if (!this.picture.restless) return;
     this.settling = requestAnimationFrame(() => {
-      if (!this.pending) this.picture.placeWords();
+      const steps = this.pending ? 0 : wantsCalm() ? CALM_STEPS : 1;
+      for (let k = 0; k < steps && this.picture.restless; k++) this.picture.placeWords();
       this.settle();
     });
   }
@@ -294,6 +306,7 @@ class View {
     const wrong = this.controls.reasons();
     write(this.remark, wrong || text || limits(this.scene.knobs, this.joints.read()));
     this.remark.classList.toggle("kl-warns", Boolean(wrong));
+    this.tellLater();
   }
 
   /** @param {Frame[]} all */
@@ -305,10 +318,28 @@ class View {
    */
   point(spot, source) { this.highlight.pointing.point(spot, source); }
 
+  /** Tell assistive technology of the picture once it rests: nobody can listen to a drag. */
+  tellLater() {
+    clearTimeout(this.heard);
+    this.heard = setTimeout(() => this.tell(), HEARD);
+  }
+
+  /** What there is to see, in words. */
   describe() {
     const state = [this.pose, this.lines].map((panel) => panel?.text()).filter(Boolean).join("; ");
     this.picture.svg.setAttribute("aria-label", `${this.scene.name}, ${state}`);
-    this.hands.describe();
+    return { held: this.hands.describe(), state };
+  }
+
+  /** Say what a hand in this view, or a word of the text, has changed; and remarks in any case. */
+  tell() {
+    if (this.mover.request) return;                 // it plays on, and is told when it stands
+    const { held, state } = this.describe(), { pointing, caption } = this.highlight;
+    const own = this.element.querySelector("input:focus, .kl-hold:focus");   // says its own value
+    const shown = own ? "" : caption.textContent;
+    const here = pointing.spots.word || this.element.matches(":focus-within");
+    write(this.spoken, [here && (held || [shown, state].filter(Boolean).join("; ")),
+                        this.remark.textContent].filter(Boolean).join(". "));
   }
 
   /** Make room for another scene: all but the controls goes. How the view was looked at. */

@@ -2,6 +2,7 @@
 
 import { button, group, tidy } from "./dom.js";
 import { Listeners } from "./listeners.js";
+import { letAllScroll } from "./scrolls.js";
 import { clip } from "./steps.js";
 import { followTerms } from "./terms.js";
 
@@ -102,13 +103,16 @@ function start(view, put) {
   view.replaceChildren();
   const live = put(view, scene, joints, formula, question);
   followTerms(view, () => live);
-  const opening = document.querySelectorAll(".kl-page > .kl-opening > *");
+  const opening = document.querySelectorAll(".kl-page > main > .kl-opening > *");
   view.querySelector(".kl-head")?.prepend(...opening);
   if (!("address" in view.dataset)) return;
   followAddress(knobs, joints, live);
   view.querySelector(".kl-more")?.prepend(group("Share",
     button("Copy link", "Copy a link to this pose", () => copyLink(knobs, joints, live))));
 }
+
+// What may be wider than a page.
+const MAY_BE_WIDE = ".kl-mathematics, .kl-site-table, .kl-output, .kl-site :is(pre, p, ul, ol)";
 
 /**
  * Start every view of the page.
@@ -117,4 +121,5 @@ function start(view, put) {
 export function startViews(put) {
   /** @type {NodeListOf<HTMLElement>} */
   (document.querySelectorAll(".kl-view")).forEach((view) => start(view, put));
+  letAllScroll(document, MAY_BE_WIDE);
 }

@@ -113,12 +113,15 @@ export class Picture {
   }
 
   /**
-   * Fill a box of this size (px). In a large one, for a lecture, words and lines are larger, too.
+   * Fill a box of this size (px). In a large one, for a lecture, words and lines are larger, too,
+   * and where the reader wants larger letters.
    * @param {number} width
    * @param {number} height
+   * @param {number} letters how many times as large as usual
    */
-  resize(width, height) {
-    const larger = clip(Math.min(width, height) / ORDINARY, 1, MAGNIFIED);
+  resize(width, height, letters = 1) {
+    const wanted = Math.max(Math.min(width, height) / ORDINARY, letters);
+    const larger = clip(wanted, 1, MAGNIFIED);
     this.size = [width / larger, height / larger];
     this.svg.setAttribute("viewBox", `0 0 ${this.size.join(" ")}`);
     for (const words of this.words) words.state = null;

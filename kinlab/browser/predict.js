@@ -64,7 +64,7 @@ class Prediction {
     this.pointing = pointing;
     this.sheet = sheet;
     this.question = sheet.question;
-    this.node = make("section", { class: "kl-predict", "aria-label": "Prediction" });
+    this.node = make("div", { class: "kl-predict", role: "group", "aria-label": "Prediction" });
     this.node.addEventListener("keydown", (event) => {
       if (event.key !== "Tab") event.stopPropagation();   // a notebook has uses for keys, too
     });

@@ -3,6 +3,7 @@
 // touched.
 
 import { lowered, make, write } from "./dom.js";
+import { rove } from "./roving.js";
 import { LETTERS, ends, newEnds } from "./table_ends.js";
 import { ask, choose, press, typed } from "./table_parts.js";
 import { takeTables } from "./table_paste.js";
@@ -77,6 +78,9 @@ export class Editor {
   constructor(model, element) {
     this.model = model;
     this.element = element;
+    this.parts = make("div");
+    this.spoken = make("div", { class: "kl-spoken", role: "status" });   // outlives all parts
+    element.append(this.parts, this.spoken);
     element.classList.add("kl-table");
     const here = () => { this.next = ""; };         // the student has gone elsewhere
     for (const event of ["pointerdown", "keydown"]) element.addEventListener(event, here, true);
@@ -133,10 +137,12 @@ export class Editor {
       within.value === this.loading ? null : within.value;
     this.told = {};
     this.building = true;                           // a cell that goes is not a cell that is left
-    this.element.replaceChildren(this.bar(), ...this.question(), this.table(), this.named(),
+    this.parts.replaceChildren(this.bar(), ...this.question(), this.table(), this.named(),
                                  ...ends(this), ...this.doubt(), this.foot(), ...store(this));
     this.building = false;
     this.loading = "";
+    for (const bar of /** @type {NodeListOf<HTMLElement>} */ (
+      this.element.querySelectorAll("[role=toolbar]"))) rove(bar);
     // Where the place has gone, such as by another table, the hands begin at the first cell.
     const found = at ? this.find(at) ?? this.find(`${this.state.rows[0].key} ${this.columns[0]}`)
       : null;
@@ -201,10 +207,20 @@ export class Editor {
     const cells = count === 1 ? "One cell is" : `${count} cells are`;
     const wrong = count && `${cells} wrong. ` +
       "The arm below is the last one that could be read.";
-    const remark = /** @type {Element} */ (this.element.querySelector(".kl-said"));
-    write(remark, [said, wrong].filter(Boolean).join(" "));
+    const remark = this.say([said, wrong].filter(Boolean).join(" "));
     remark.classList.toggle("kl-warns", Boolean(wrong));
     remark.classList.toggle("kl-tells", Boolean(said));
+  }
+
+  /**
+   * Say something below the table, and to a screen reader.
+   * @param {string} text
+   */
+  say(text) {
+    const remark = /** @type {Element} */ (this.parts.querySelector(".kl-said"));
+    write(remark, text);
+    write(this.spoken, text);
+    return remark;
   }
 
   /**
@@ -315,10 +331,13 @@ export class Editor {
         column === "a" || column === "alpha" ? shift : "i"),
         ` (${state.rows[0].cells[column].unit})`]
         : [NAMES[column]])));
-    return make("table", { class: "kl-dh", "aria-label": "DH table" },
+    const table = make("table", { class: "kl-dh", "aria-label": "DH table" },
       make("thead", {}, make("tr", {}, make("th", { scope: "col" }, "i"),
-        make("th", { scope: "col" }, "joint"), ...head, make("th", { "aria-label": "Row" }))),
+        make("th", { scope: "col" }, "joint"), ...head,
+        make("th", { scope: "col" }, make("span", { class: "kl-unseen" }, "move, remove")))),
       make("tbody", {}, ...state.rows.flatMap((row, k) => this.row(row, k + 1))));
+    rove(table, "button");                          // cells and lists are stops of their own
+    return table;
   }
 
   /**
@@ -345,11 +364,11 @@ export class Editor {
     });
     const tools = make("td", { class: "kl-tools" },
       press("↑", `Move row ${i} up (Alt+↑)`, () => this.move(row.key, -1),
-            { tabindex: "-1", disabled: i === 1 }),
+            { disabled: i === 1 }),
       press("↓", `Move row ${i} down (Alt+↓)`, () => this.move(row.key, 1),
-            { tabindex: "-1", disabled: i === last }),
+            { disabled: i === last }),
       press("✕", `Remove row ${i} (Alt+Delete)`, () => this.remove(row.key),
-            { tabindex: "-1", disabled: last === 1 }));
+            { disabled: last === 1 }));
     return [
       make("tr", row.variable ? { "data-joint": row.joint }
         : { "data-frame": i, "data-holds": "" },
@@ -376,7 +395,7 @@ export class Editor {
         `${row.flip ? "" : "−"}${symbol} (Alt+−)`,
         () => this.send("with_flip", this.place(row.key), !row.flip),
         { "data-at": `flip ${row.key}`, "aria-label": `${symbol} counts the other way`,
-          "aria-pressed": String(row.flip), tabindex: "-1" }),
+          "aria-pressed": String(row.flip) }),
       make("span", { class: "kl-plus" }, " +"));
   }
 
@@ -448,7 +467,7 @@ export class Editor {
           this.saving = this.saving ? "" : "csv";
           this.show();
         }, { "aria-pressed": Boolean(this.saving), "aria-expanded": Boolean(this.saving) })),
-      make("div", { class: "kl-said", role: "status" }));
+      make("div", { class: "kl-said" }));
   }
 
   // ---- rows, by mouse and by keys ----

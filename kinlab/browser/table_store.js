@@ -1,6 +1,6 @@
 // Saving and loading the DH table as text.
 
-import { make, write } from "./dom.js";
+import { make } from "./dom.js";
 import { choose, press } from "./table_parts.js";
 import { textOf } from "./table_paste.js";
 
@@ -30,7 +30,8 @@ export function store(editor) {
     if (file.files?.length) editor.load(await textOf(file.files[0]));
   });
   return [make("div", { class: "kl-store" }, text,
-    make("div", { class: "kl-toolbar" }, make("label", {}, "as ", format),
+    make("div", { class: "kl-toolbar", role: "toolbar", "aria-label": "Text of the table" },
+      make("label", {}, "as ", format),
       press("Load this text", "Load the text above", () => editor.load(text.value)),
       press("Copy", "Copy the text above", () => copy(editor, text)),
       press("Download", "Download the text above as a file",
@@ -59,7 +60,7 @@ export function fill(editor) {
 function copy(editor, area) {
   area.select();
   document.execCommand("copy");                     // navigator.clipboard needs https
-  write(/** @type {Element} */ (editor.element.querySelector(".kl-said")), "Copied.");
+  editor.say("Copied.");
 }
 
 /**

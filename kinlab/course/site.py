@@ -36,7 +36,7 @@ _WELCOME = """# Forward kinematics of robot arms
 
 **Drag a joint, and the arm, its frames and its numbers answer together.**
 """
-_HEAD = "| lesson | question | |\n|:--|:--|:--|\n"
+_HEAD = "| lesson | question | time |\n|:--|:--|:--|\n"
 
 
 @dataclass(frozen=True)
@@ -110,6 +110,14 @@ class _Renderer(IPythonRenderer):
     def list_item(self, text: str) -> str:
         return super().list_item(_tied(text))
 
+    def table_cell(self, text: str, align: str | None = None, head: bool = False) -> str:
+        """A cell; an empty one heads nothing, and a formula that heads a column is its name."""
+        tag, look = ("th" if head and text else "td",
+                     f' style="text-align:{align}"' if align else "")
+        if head:
+            text = re.sub(r"<math\b(.*?)</math>", _with_name, text, flags=re.DOTALL)
+        return f"  <{tag}{look}>{text}</{tag}>\n"
+
     def table(self, text: str) -> str:
         return f'<div class="kl-site-table"><table>{_tied(text)}</table></div>'
 
@@ -132,6 +140,12 @@ def _plain_tags(html: str) -> str:
     """HTML in a text with a few tags left, and all others shown as they were written."""
     return "".join(part if k % 2 else escape(unescape(part), quote=False)
                    for k, part in enumerate(_TAGS.split(html)))
+
+
+def _with_name(formula: re.Match) -> str:
+    """A formula with its letters as its name, for who asks a page for the names of its columns."""
+    letters = re.sub(r"<[^>]+>", "", formula[0]).replace('"', "&quot;")
+    return f'<math aria-label="{letters}"{formula[1]}</math>'
 
 
 def _tied(text: str) -> str:

@@ -16,7 +16,7 @@ from ..drawing import guess, worker
 from ..drawing.scene import Scene
 from .live import LiveView
 
-_BLANK = Scene(motions=(), items=(), tip=0, center=(0.0, 0.0, 0.0), radius=1.0)
+_BLANK = Scene(name="Prediction", motions=(), items=(), tip=0, center=(0.0, 0.0, 0.0), radius=1.0)
 
 
 class Answered(NamedTuple):

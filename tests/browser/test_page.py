@@ -278,6 +278,15 @@ def test_formulas_are_drawn(visit):
     assert subscript["x"] > letter["x"] and subscript["y"] > letter["y"]
 
 
+def test_a_matrix_that_fits_shows_no_buttons_for_its_columns(visit):
+    page, view = visit("alpha")
+    field_of(view, 0).fill("30")
+    field_of(view, 0).press("Enter")
+    page.evaluate(SETTLE)
+    expect(view.locator(".kl-columns")).to_be_hidden()
+    expect(view.locator(".kl-math > math")).to_be_visible()
+
+
 def test_without_a_script_the_picture_still_stands(visit):
     page, _ = visit("alpha", java_script_enabled=False)
     still = page.get_by_role("img", name="Picture of the arm. ArmView('Alpha II'")

@@ -282,7 +282,10 @@ def test_names_that_a_mouse_is_told_are_names_for_all(visit):
     view = visit("alpha")
     names = view.locator(".kl-pose th").evaluate_all("all => all.map(th => th.ariaLabel)")
     assert names == ["n, normal", "s, sliding", "a, approach", "p, position"]
-    assert view.locator(".kl-pointed").get_attribute("role") == "status"
+    view.locator(".kl-picture").press("j")
+    spoken = view.locator(".kl-spoken")
+    assert spoken.get_attribute("role") == "status"
+    expect(spoken).to_contain_text("base: θ₁ = 20.0°")
 
 
 def test_quantities_have_their_colours_in_rows_and_formulas(visit):
