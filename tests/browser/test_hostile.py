@@ -514,6 +514,33 @@ def test_a_formula_is_only_a_formula(guarded, latex):
     assert {*seen["names"]} <= {"xmlns", "display", "mathcolor", "mathvariant"}
 
 
+# ---- JupyterLab ----
+
+
+@pytest.mark.thorough
+def test_in_jupyterlab_names_are_words(notebook):
+    names = ("tag", "end of all", "attribute", "template", "MathML")
+    some = [TEXTS[name] for name in names]
+    typeset = TEXTS["LaTeX"]                        # JupyterLab typesets what is between two $
+    page = notebook(
+        "import kinlab as kl\nfrom IPython.display import Markdown, display\n"
+        f"texts = {[*some, typeset]!r}",
+        "for text in texts:\n"
+        "    arm = kl.Arm([kl.revolute(a=1, name=text)], name=text, unit=text)\n"
+        "    editor = kl.DHTableEditor(arm)\n"
+        "    editor.set(1, 'd', text)\n"
+        "    display(kl.ArmView(arm), arm, kl.exercises.check('alpha_ii.2', text),\n"
+        "            kl.show(**{text: text}), editor, Markdown(editor.to_markdown()))")
+    captions = page.locator(".jp-Notebook:visible .jp-RenderedHTML caption")
+    page.wait_for_function("n => document.querySelectorAll('.kl-view .kl-picture svg').length >= n",
+                           arg=2 * len(some) + 2)
+    settle(page)
+    assert page.evaluate("window.hit") is None
+    shown = [text.partition(": standard DH")[0] for text in captions.all_text_contents()]
+    assert shown[:-1] == some and shown[-1].startswith(typeset.partition("$")[0])
+    assert page.locator(".kl-view img, .kl-editor img, .kl-view b, .kl-editor svg a").count() == 0
+
+
 # ---- the command ----
 
 
