@@ -24,7 +24,7 @@ def _run(nowhere, test, required):
                    "PLAYWRIGHT_BROWSERS_PATH": str(nowhere)}
     here = Path(__file__).parent
     return subprocess.run(
-        [sys.executable, "-m", "pytest", "-rs", "-p", "no:cacheprovider", here / test],
+        [sys.executable, "-m", "pytest", "-m", "", "-rs", "-p", "no:cacheprovider", here / test],
         env=environment, cwd=here.parents[1], capture_output=True, text=True).stdout
 
 

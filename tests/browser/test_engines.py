@@ -8,6 +8,7 @@ import zlib
 import numpy as np
 import pytest
 from engines import A4, WATCH, Missing, open_engine
+from grades import every
 from lesson_views import VIEWS
 from PIL import Image
 from reading import READ, assert_picture, assert_table, at_rest, from_units
@@ -35,7 +36,8 @@ SLIDER = "document.querySelectorAll('.kl-knob [type=range]')"
 SHOWN = "() => document.querySelector('.kl-picture svg, .kl-predict') != null"
 
 
-@pytest.fixture(scope="module", params=["firefox", "webkit", "chromium"])
+@pytest.fixture(scope="module", params=[
+    "firefox", "webkit", pytest.param("chromium", marks=pytest.mark.thorough)])
 def engine(request):
     """A page of each engine; where it is missing the tests skip, unless KINLAB_REQUIRE_BROWSER
     is 1."""
@@ -120,7 +122,7 @@ def assert_shown(page, kind):
         moves(page)
 
 
-@pytest.mark.parametrize("kind", KINDS)
+@pytest.mark.parametrize("kind", every(4, KINDS))
 def test_a_view_of_each_kind_is_drawn_and_moves(visit, kind):
     page = visit(kind, size=(390, 844))
     assert_shown(page, kind)
