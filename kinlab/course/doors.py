@@ -12,6 +12,9 @@ from .handout import FIRST
 
 LAB = "lab/index.html"  # JupyterLite's page, in the folder of the site
 _RUN = "The cells of this page have been run: the pictures move as the text says."
+# JupyterLite asks its front page for settings, and does not start if that has none.
+_SETTINGS = '<script id="jupyter-config-data" type="application/json">{}</script>'
+_MOVES = "Everything moves in these pages. To run code and to have answers checked,"
 _JUDGED = "It says what is right and names the slip."
 
 
@@ -46,10 +49,11 @@ def check(notebook: str, lite: bool) -> str:
 
 def front(lite: bool) -> str:
     """What stands on the front page, as HTML."""
-    how = (f"press <strong>Run this lesson</strong> on its page, or {_link(FIRST, 'begin here')}:"
-           "\nit opens in this browser, with nothing to install." if lite else
-           "open the\nnotebooks in JupyterLab.")
-    return f"<p>Everything moves in these pages. To run code and to have answers checked, {how}</p>"
+    if not lite:
+        return f"<p>{_MOVES} open the\nnotebooks in JupyterLab.</p>"
+    return (f"<p>{_MOVES} press <strong>Run this lesson</strong> on its page, or\n"
+            f"{_link(FIRST, 'begin here')}: it opens in this browser, with nothing to install."
+            f"</p>{_SETTINGS}")
 
 
 def _file(notebook: str) -> str:
