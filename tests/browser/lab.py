@@ -29,6 +29,7 @@ CHROMIUM_ARGS = ["--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-
                  "--disable-background-networking", "--disable-component-update",
                  "--disable-sync"]
 START_SECONDS = 180
+EXTENSION = Path(__file__).parents[2] / "labextension"  # what kinlab adds to JupyterLab itself
 
 # Without these JupyterLab asks, over the page, whether it may fetch news and updates.
 QUIET = {"@jupyterlab/apputils-extension/notification.jupyterlab-settings":
@@ -162,6 +163,8 @@ def _private(home: Path) -> dict[str, str]:
         path = home / "config" / "lab" / "user-settings" / name
         path.parent.mkdir(parents=True, exist_ok=True)
         path.write_text(json.dumps(settings))
+    own = home / "data" / "labextensions" / "kinlab"  # where an installed kinlab has it, or near
+    shutil.copytree(EXTENSION, own, dirs_exist_ok=True)
     places = {"JUPYTER_CONFIG_DIR": "config", "JUPYTER_DATA_DIR": "data",
               "JUPYTER_RUNTIME_DIR": "runtime", "IPYTHONDIR": "ipython"}
     return os.environ | {name: str(home / place) for name, place in places.items()}

@@ -1,4 +1,5 @@
 """Who cannot see, or has no mouse, sees no motion or few colours: what they get of each page."""
+import nbformat
 import numpy as np
 import pytest
 from access import stops, violations
@@ -194,8 +195,9 @@ def test_a_drag_is_told_when_it_rests_and_only_then(shown):
     assert name == f"Alpha II, tool at {x}, {y}, 215.0 mm"
 
 
-def test_play_is_told_when_it_stops(shown):
-    page, view = shown(VIEWS["arm"]())
+@pytest.mark.parametrize("motion", ["reduce", "no-preference"])
+def test_play_is_told_when_it_stops(shown, motion):
+    page, view = shown(VIEWS["arm"](), reduced_motion=motion)
     stop_clock(page)
     view.get_by_role("button", name="Play").click()
     for _ in range(30):
@@ -232,6 +234,19 @@ def test_what_is_said_to_a_prediction_is_heard(shown):
 def test_a_verdict_is_a_status():
     verdict = kl.exercises.check("rotation.1", None)
     assert verdict._repr_html_().startswith('<div role="status"')
+
+
+def test_pictures_of_a_notebook_that_nobody_has_run_have_their_words(notebook):
+    path = FOLDER / "02_rotation.ipynb"
+    page = notebook(path, run=False)
+    pictures = page.locator(".jp-Notebook:visible .jp-RenderedImage img")
+    pictures.first.wait_for()
+    words = [output.metadata["image/png"]["alt"]
+             for cell in nbformat.read(path, as_version=4).cells
+             for output in cell.get("outputs", ()) if "image/png" in output.get("data", {})]
+    heard = pictures.evaluate_all("all => all.map(picture => picture.alt)")  # cells come in turn
+    assert heard and heard == words[:len(heard)]
+    assert min(map(len, words)) > 40  # not "a picture": what is to be seen there
 
 
 # ---- less motion, few colours, large letters ----

@@ -83,6 +83,12 @@ def test_the_installed_package_is_the_one_in_use(scripts, here):
     assert Path(where).is_relative_to(scripts.parent)
 
 
+def test_jupyterlab_finds_what_gives_pictures_their_words(scripts):
+    own = scripts.parent / "share" / "jupyter" / "labextensions" / "kinlab"
+    for name in ("package.json", "static/words.js"):
+        assert (own / name).read_text("utf-8") == (ROOT / "labextension" / name).read_text("utf-8")
+
+
 def test_lessons_and_solutions_are_copied_and_the_first_is_opened(kinlab, here):
     said = kinlab("lessons")
     copies = here / "kinlab_lessons"
