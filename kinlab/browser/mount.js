@@ -240,10 +240,7 @@ class View {
   }
 
   /** @param {boolean} on */
-  playing(on) {
-    this.bar?.playing(on);
-    if (!on) this.tellLater();
-  }
+  playing(on) { this.bar?.playing(on); }
 
   fill() {
     if (document.fullscreenElement) document.exitFullscreen();
@@ -333,7 +330,6 @@ class View {
 
   /** Say what a hand in this view, or a word of the text, has changed; and remarks in any case. */
   tell() {
-    if (this.mover.request) return;                 // it plays on, and is told when it stands
     const { held, state } = this.describe(), { pointing, caption } = this.highlight;
     const own = this.element.querySelector("input:focus, .kl-hold:focus");   // says its own value
     const shown = own ? "" : caption.textContent;

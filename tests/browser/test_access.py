@@ -148,6 +148,19 @@ def test_the_stop_is_never_at_what_is_hidden_or_cannot_be_pressed(shown):
     settle(page)
     names = stops(view)
     assert names[1] == "More" and len(names) <= 14  # a formula column's buttons are a stop, too
+    page.set_viewport_size({"width": 1280, "height": 800})
+    trace, clear = (view.get_by_role("button", name=name) for name in ("Trace", "Clear"))
+    trace.click()
+    clear.focus()
+    assert stops(view)[1] == "Clear"
+    trace.evaluate("node => node.click()")           # which takes the focus of nobody
+    expect(clear).to_be_disabled()
+    assert stops(view)[1] == "Home"
+    trace.focus()
+    page.set_viewport_size({"width": 390, "height": 800})
+    expect(trace).to_be_hidden()
+    settle(page)
+    assert stops(view)[1] == "Home"
     view.locator(".kl-columns button").last.focus()
     page.keyboard.press("Home")
     expect(view.locator(".kl-columns button").first).to_be_focused()
