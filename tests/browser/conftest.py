@@ -1,6 +1,8 @@
 """One JupyterLab and one Chromium for all browser tests, and a notebook for each scenario."""
 import os
 import shutil
+from contextlib import suppress
+from itertools import chain
 
 import nbformat
 import pytest
@@ -86,12 +88,57 @@ def watched():
     assert [text for text in troubles if not text.startswith(tuple(harmless))] == []
 
 
+@pytest.fixture(scope="package")
+def pool(browser):
+    """Pages that are free, by their options: an arm in a new page takes four times as long."""
+    free = {}
+    yield free
+    for page in chain(*free.values()):
+        page.close()
+
+
 @pytest.fixture
-def page(browser, watched):
+def lend(browser, pool):
+    """A function that lends a page of these options, which is swept for the next test.
+
+    A clock or a function of Python stays in a page: who installs one asks for a `fresh` page.
+    """
+    lent, own = [], []
+
+    def lend(fresh=False, **options):
+        free = [] if fresh else pool.setdefault(repr(sorted(options.items())), [])
+        page = free.pop() if free else browser.new_page(**options)
+        if fresh:
+            own.append(page)
+        else:
+            lent.append((page, options, free))
+        return page
+
+    yield lend
+    for page in own:
+        page.close()
+    for page, options, free in lent:
+        sweep(page, options)
+        free.append(page)
+
+
+def sweep(page, options):
+    """Make a page as good as new, which was opened with these options."""
+    page.mouse.up()
+    with suppress(Error):  # a blank page has no storage
+        page.evaluate("localStorage.clear()")
+    page.goto("about:blank")
+    page.unroute_all()
+    page.context.unroute_all()
+    page.emulate_media(media="null", color_scheme=options.get("color_scheme", "null"),
+                       reduced_motion=options.get("reduced_motion", "null"))
+    page.set_viewport_size(options.get("viewport", {"width": 1280, "height": 720}))
+
+
+@pytest.fixture
+def page(lend, watched):
     """A blank page, without Jupyter."""
-    page = watched(browser.new_page())
-    yield page
-    page.close()
+    return watched(lend())
 
 
 @pytest.fixture(scope="module")

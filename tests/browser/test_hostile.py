@@ -35,8 +35,9 @@ def arm_of(name):
 
 
 @pytest.fixture
-def guarded(page):
+def guarded(lend, watched):
     """A page that may ask nobody for anything; it says what it has asked for, and its dialogs."""
+    page = watched(lend(fresh=True))
     page.asked = []
     page.on("dialog", lambda dialog: (page.asked.append(dialog.message), dialog.dismiss()))
     page.on("request", lambda request: page.asked.append(request.url))

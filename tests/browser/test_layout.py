@@ -42,23 +42,18 @@ def folder(tmp_path_factory):
 
 
 @pytest.fixture
-def visit(browser, folder, watched):
+def visit(lend, folder, watched):
     """A function that opens the page of a view at a width and gives the view."""
-    pages = []
-
     def visit(name, width=1280):
-        page = watched(browser.new_page(viewport={"width": width, "height": WIDTHS[width]},
-                                        has_touch=width in PHONES))
-        pages.append(page)
+        page = watched(lend(viewport={"width": width, "height": WIDTHS[width]},
+                            has_touch=width in PHONES))
         page.goto((folder / f"{name}.html").as_uri())
         view = page.locator(".kl-view")
         view.locator(".kl-picture svg").wait_for()
         settle(page)
         return view
 
-    yield visit
-    for page in pages:
-        page.close()
+    return visit
 
 
 def button(view, name):

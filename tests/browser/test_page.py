@@ -21,25 +21,17 @@ def folder(tmp_path_factory):
 
 
 @pytest.fixture
-def visit(browser, folder, watched):
+def visit(lend, folder, watched):
     """A function that opens a saved page, all network off, and gives the page and its view."""
-    contexts = []
-
     def visit(name, *, end="", width=1280, height=800, watch=watched, **options):
-        context = browser.new_context(offline=True, viewport={"width": width, "height": height},
-                                      **options)
-        contexts.append(context)
+        page = watch(lend(offline=True, viewport={"width": width, "height": height}, **options))
         asked = []
-        context.route("**/*", lambda route: (asked.append(route.request.url),
-                                             route.continue_()))
-        page = watch(context.new_page())
+        page.route("**/*", lambda route: (asked.append(route.request.url), route.continue_()))
         page.goto((folder / f"{name}.html").as_uri() + end)
         assert len(asked) <= 1, asked  # the page itself and nothing else
         return page, page.locator(".kl-view")
 
-    yield visit
-    for context in contexts:
-        context.close()
+    return visit
 
 
 def range_of(view, i):

@@ -3,6 +3,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from grades import every
 from hypothesis import HealthCheck, given, settings
 from painted import STYLE, TELL, assert_same, pythons, strokes
 from plain import LOAD, MOUNT, PAINTED, SOURCE
@@ -71,7 +72,7 @@ def assert_same_bodies(page, scene, q, side):
     assert_same(*([one for one in hand if one.group in drawn] for hand in both))
 
 
-@course
+@pytest.mark.parametrize("robot", every(3, COURSE, [robot.__name__ for robot in COURSE]))
 def test_buttons_keys_and_joints_lead_to_python_s_picture(page, robot):
     arm = robot()
     page.evaluate(LOAD, SOURCE)

@@ -33,19 +33,14 @@ def folder(tmp_path_factory):
 
 
 @pytest.fixture
-def visit(browser, folder, watched):
-    pages = []
-
+def visit(lend, folder, watched):
     def open_page(name, **options):
-        pages.append(watched(browser.new_page(**{"viewport": {"width": 1280, "height": 1000}}
-                                              | options)))
-        pages[-1].goto((folder / f"{name}.html").as_uri())
-        pages[-1].locator(".kl-picture svg").first.wait_for()
-        return pages[-1]
+        page = watched(lend(**{"viewport": {"width": 1280, "height": 1000}} | options))
+        page.goto((folder / f"{name}.html").as_uri())
+        page.locator(".kl-picture svg").first.wait_for()
+        return page
 
-    yield open_page
-    for each in pages:
-        each.close()
+    return open_page
 
 
 def row(view, joint):
@@ -211,7 +206,7 @@ FLASHED = """() => {
 
 
 def test_entries_that_change_flash_once_in_a_movement(visit):
-    view = visit("exam")
+    view = visit("exam", fresh=True)
     view.clock.install()                            # so that a slow machine is no rest
     view.clock.pause_at(view.evaluate("Date.now() + 1000"))
     view.evaluate(FLASHED)

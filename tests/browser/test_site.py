@@ -20,9 +20,9 @@ PATHS = """view => [...view.querySelectorAll('.kl-picture path')]
 
 
 @pytest.fixture
-def visit(browser, course_site, watched):
+def visit(lend, course_site, watched):
     """A function that opens a page of the site; any request beyond the folder fails the test."""
-    contexts, beyond = [], []
+    beyond = []
 
     def guard(route):
         if route.request.url.startswith(course_site.as_uri()):
@@ -31,17 +31,12 @@ def visit(browser, course_site, watched):
         route.abort()
 
     def visit(name, width=1280, height=800, **options):
-        context = browser.new_context(offline=True, viewport={"width": width, "height": height},
-                                      **options)
-        contexts.append(context)
-        context.route("**/*", guard)
-        page = watched(context.new_page())
+        page = watched(lend(offline=True, viewport={"width": width, "height": height}, **options))
+        page.route("**/*", guard)
         page.goto((course_site / f"{name}.html").as_uri())
         return page
 
     yield visit
-    for context in contexts:
-        context.close()
     assert beyond == []
 
 
