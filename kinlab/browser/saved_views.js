@@ -11,9 +11,10 @@ const LOOKS = 100;                                  // ms until an output looks 
 /** @typedef {(id: string) => any} States gives the state of a model, or nothing */
 
 /**
- * The widget managers of open notebooks whose views are kept, and when their outputs are looked
- * after. Each view has this script for itself, so they are the page's.
- * @returns {Map<any, number>}
+ * The widget managers of open notebooks whose views are kept, when their outputs are looked after,
+ * and whether they have restored what was saved: they forget that when the kernel starts anew.
+ * Each view has this script for itself, so they are the page's.
+ * @returns {Map<any, { timer?: number, restored?: boolean }>}
  */
 const managers = () => /** @type {any} */ (globalThis)[MANAGERS] ??= new Map();
 
@@ -37,13 +38,25 @@ export const afterOthers = (render) => (host) => restored.has(host.model.get("la
  * @param {Pick<Host, "model">} host
  */
 export function keepViews({ model }) {
-  const manager = model.widget_manager, context = manager?.context;
-  if (!context?.model.setMetadata) return;
-  const layout = model.get("layout"), known = managers().has(manager);
-  if (!manager.restoredStatus || !layout.comm_live) restored.add(layout);
-  clearTimeout(managers().get(manager));
-  managers().set(manager, setTimeout(() => showAgain(manager), LOOKS));
-  if (known) return;
+  const manager = model.widget_manager;
+  if (!manager?.context?.model.setMetadata) return;
+  const layout = model.get("layout"), own = keepNotebook(manager);
+  if (!own.restored || !layout.comm_live) restored.add(layout);
+  clearTimeout(own.timer);
+  own.timer = setTimeout(() => showAgain(manager), LOOKS);
+}
+
+/**
+ * Look after the views of a manager's notebook, from now on.
+ * @param {any} manager
+ */
+function keepNotebook(manager) {
+  const before = managers().get(manager), { context } = manager;
+  if (before) return before;
+  /** @type {{ timer?: number, restored?: boolean }} */
+  const own = { restored: manager.restoredStatus };
+  manager.restored.connect(() => { own.restored = true; });
+  managers().set(manager, own);
   context.disposed.connect(() => managers().delete(manager));
   lookAround(Object.getPrototypeOf(manager));
   let again = false;
@@ -55,6 +68,7 @@ export function keepViews({ model }) {
     Promise.all(coming.map((id) => manager.get_model(id))).then(() => context.save(), () => {})
       .finally(() => { again = false; });
   });
+  return own;
 }
 
 /**
@@ -70,7 +84,7 @@ function storeViews(manager) {
   /** @type {Set<string>} */
   const coming = new Set();
   for (const { id, leaveOut } of shown(notebook)) {
-    const parts = allOf(id, states);
+    const parts = allOf(id, states) ?? allOf(id, elsewhere());
     if (parts) Object.assign(state, parts);
     else if (manager.has_model(id)) coming.add(id);
     else leaveOut();
@@ -95,7 +109,16 @@ function statesOf(manager) {
   const held = manager.get_state_sync.call({ _modelsSync: new Set(models) },
                                            { drop_defaults: true }).state;
   return (id) => held[id] ??
-    (manager.has_model(id) || !manager.restoredStatus ? saved[id] : undefined);
+    (manager.has_model(id) || !managers().get(manager)?.restored ? saved[id] : undefined);
+}
+
+/**
+ * The states of all models in the page's notebooks.
+ * @returns {States}
+ */
+function elsewhere() {
+  const all = [...managers().keys()].filter((one) => one.context).map(statesOf);
+  return (id) => all.reduce((found, states) => found ?? states(id), undefined);
 }
 
 /**
@@ -159,15 +182,21 @@ function lookAround(prototype) {
   if (find[MANAGERS]) return;
   /** @this {any} @param {string} id */
   async function get_model(id) {
-    const manager = this, ready = () => manager.context && manager.restoredStatus;
-    if (ready() && !manager.has_model(id)) {
-      const state = [...managers().keys()].map((one) => allOf(id, statesOf(one))).find(Boolean);
-      if (state) await manager.set_state({ version_major: 2, version_minor: 0, state });
-    }
+    const manager = this;
+    const ready = () => manager.context && (managers().get(manager)?.restored ??
+                                            manager.restoredStatus);
+    const bring = async () => {
+      const state = manager.context && !manager.has_model(id) && allOf(id, elsewhere());
+      if (state) keepNotebook(manager);             // saved with it from now on
+      if (state && ready())
+        await manager.set_state({ version_major: 2, version_minor: 0, state });
+    };
+    await bring();
     try {
       return await find.call(manager, id);
     } catch (error) {
-      if (manager.has_model(id)) return find.call(manager, id);  // it came at the last moment
+      await bring();                                // it may have come at the last moment
+      if (manager.has_model(id)) return find.call(manager, id);
       const here = ready() ? [...shown(manager.context.model)].filter((one) => one.id === id) : [];
       if (!here.length) throw error;
       here.forEach(({ leaveOut }) => leaveOut());
