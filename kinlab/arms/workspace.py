@@ -19,7 +19,9 @@ from .kinematics import CHUNK
 from .link import PRISMATIC
 from .motions import follow
 
-PATIENCE = 1.0  # seconds before a bar appears
+# Seconds before a bar appears. A browser's Python is not heard while it works: a bar would come
+# there when it has gone.
+PATIENCE = float("inf") if sys.platform == "emscripten" else 1.0
 
 
 @dataclass(frozen=True, eq=False)

@@ -21,7 +21,8 @@ async function freshCopy(app) {
     if (!context) return;
     const {path} = context;
     await context.save();
-    const folder = await contents.get(path.slice(0, Math.max(0, path.lastIndexOf("/"))));
+    const folder = await contents.get(path.slice(0, Math.max(0, path.lastIndexOf("/"))),
+                                      {content: true});
     const taken = folder.content.map((/** @type {any} */ file) => file.path);
     await contents.rename(path, freeName(path, taken));
     await app.commands.execute("docmanager:open", {path});
