@@ -132,14 +132,19 @@ def test_a_lesson_is_run_moved_answered_and_judged(page, address):
 
 def test_an_arm_moves_by_the_keys_and_python_hears_of_it(page, address):
     open_lesson(page, address, "07_alpha_ii.ipynb")
+    fill(page, "arm", "arm = kl.robots.alpha_ii()\nview = kl.ArmView(arm)\nview")
     run_all(page)
-    views = page.locator(f"{FRONT} .kl-view")
-    assert views.locator(".kl-picture svg").count() == views.count() > 4
-    slider = views.locator("[role=slider]").first
-    before = slider.get_attribute("aria-valuenow")
-    slider.focus()
-    slider.press("ArrowRight")
-    expect(slider).not_to_have_attribute("aria-valuenow", before)
+    assert page.locator(f"{FRONT} .kl-picture svg").count() > 5
+    view = page.locator(f"{FRONT} .kl-view").first
+    before = view.locator(".kl-picture svg").inner_html()
+    assert python(page, "print(view.theta_1)") == "0.0\n"
+    view.get_by_role("slider").first.press("ArrowRight")
+    for _ in range(10 * SECONDS):
+        if python(page, "print(view.theta_1)") != "0.0\n":
+            break
+        page.wait_for_timeout(100)
+    assert float(python(page, "print(view.theta_1)")) > 0
+    assert view.locator(".kl-picture svg").inner_html() != before
 
 
 def test_pictures_of_a_workspace_are_drawn(page, address):
@@ -156,7 +161,7 @@ def test_a_fresh_copy_keeps_what_the_student_wrote(page, address):
     page.wait_for_function(OPEN, arg=ROTATION)
     tabs = page.get_by_role("tab").filter(has_text="02_rotation")
     expect(tabs).to_have_count(2)
-    cells = "path => jupyterapp.serviceManager.contents.get(path)" \
+    cells = "path => jupyterapp.serviceManager.contents.get(path, {content: true})" \
             ".then(file => JSON.stringify(file.content.cells))"
     kept, fresh = (page.evaluate(cells, path) for path in ("02_rotation my copy.ipynb", ROTATION))
     assert "R_01 = 'mine'" in kept and "R_01 = 'mine'" not in fresh
@@ -166,8 +171,7 @@ def test_a_saved_copy_says_when_a_newer_edition_is_there(page, address, publishe
     open_lesson(page, address, ROTATION)
     fill(page, "exercise-2", "R_01 = 'mine'")
     saved(page)
-    page.reload()
-    page.wait_for_function(OPEN, arg=ROTATION)
+    open_lesson(page, address, ROTATION)
     expect(page.get_by_text("newer version of this lesson")).to_have_count(0)
 
     published(ROTATION)
