@@ -1,4 +1,6 @@
 """Who cannot see, or has no mouse, sees no motion or few colours: what they get of each page."""
+import shutil
+
 import nbformat
 import numpy as np
 import pytest
@@ -10,6 +12,7 @@ from test_predictions import ASKED, prediction
 from test_site import visit  # noqa: F401  # the site's own
 
 import kinlab as kl
+from kinlab.course import doors
 from kinlab.course.notebooks import FOLDER
 
 SCHEMES = ["light", "dark"]
@@ -103,6 +106,17 @@ def opened(page):
 def test_nothing_is_wrong_in_the_sites_map_and_a_lesson(visit):  # noqa: F811
     for name in ("index", "07_alpha_ii"):
         assert violations(opened(visit(name))) == [], name
+
+
+@pytest.mark.parametrize("scheme", SCHEMES)
+def test_nothing_is_wrong_where_a_lesson_can_be_run_at_once(page, course_site, tmp_path, scheme):
+    folder = shutil.copytree(course_site, tmp_path / "site")
+    doors.say_so(folder)
+    page.emulate_media(color_scheme=scheme)
+    for name in ("index", "01_translation"):
+        page.goto((folder / f"{name}.html").as_uri())
+        expect(page.locator("a[href^='lab/']").first).to_be_visible()
+        assert violations(opened(page)) == [], name
 
 
 @pytest.mark.thorough
@@ -350,7 +364,7 @@ TROUBLES = """() => {
             && Math.min(a.bottom, b.bottom) - Math.max(a.top, b.top) > 1;
     }).map(other => `${name(node)} over ${name(other)}`));
     const thin = [...document.querySelectorAll('input[type=range]')]
-        .filter(node => node.checkVisibility() && node.clientWidth < 60);
+        .filter(node => node.checkVisibility() && node.clientWidth < 100);
     const wide = document.documentElement.scrollWidth > innerWidth ? ['the page'] : [];
     return [...cut.map(node => 'cut: ' + name(node)), ...over, ...wide,
             ...thin.map(node => 'thin: ' + name(node))];
