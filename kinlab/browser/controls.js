@@ -112,6 +112,8 @@ class Row {
     const { digits, suffix } = this.knob, { range, field } = this;
     this.value = next;
     if (range.valueAsNumber !== next) range.value = String(next);
+    const { low, high } = this.all.track(this.knob);
+    range.style.setProperty("--at", String((next - low) / (high - low || 1)));
     range.setAttribute("aria-valuetext", next.toFixed(digits) + suffix);
     const typing = field.value !== this.shown && field.matches(":focus");
     if (!typing) this.restore();
