@@ -29,13 +29,16 @@ from typing import Any
 from urllib.error import HTTPError
 from urllib.request import Request, urlopen
 
+import pytest
 from lab import open_browser
 from playwright.sync_api import Error
 from reading import SETTLE
 
-SECONDS = 60       # more than any page takes, on any machine
-WIRE = 120         # and than any command to a browser
+SECONDS = 120      # more than any page takes, on any machine
+WIRE = 240         # and than any command to a browser
 A4 = (717, 1000)   # px: a sheet within a browser's usual margins
+# px. The window that has the pointer has the focus, and the pointer is in the middle.
+SCREEN = (2000, 2400)
 MINI_BROWSER = "/usr/lib/*/webkit2gtk-4.*/MiniBrowser"
 KEYS = {"Shift": "\ue008", "Control": "\ue009", "Tab": "\ue004", "Enter": "\ue007",
         "Escape": "\ue00c", "Space": " ", "PageUp": "\ue00e", "PageDown": "\ue00f",
@@ -45,7 +48,9 @@ KEYS = {"Shift": "\ue008", "Control": "\ue009", "Tab": "\ue004", "Enter": "\ue00
 # What a page calls in vain, from its first line on; `errors` of a page reads it.
 WATCH = """<script>
 window.troubles = [];
-addEventListener("error", event => troubles.push(event.message), true);
+addEventListener("error", event => {     // a loop only puts off what it tells
+    if (!/^ResizeObserver loop/.test(event.message)) troubles.push(event.message);
+}, true);
 addEventListener("unhandledrejection", event => troubles.push(String(event.reason)));
 console.error = (...words) => troubles.push(words.join(" "));
 </script>"""
@@ -208,7 +213,9 @@ class Firefox(Engine):
         # Without an origin: Firefox refuses pages, and it takes that for one.
         self.wire = create_connection(f"{address}/session", suppress_origin=True, timeout=WIRE)
         self.sent = 0
+        self.logged: list[str] = []
         self.call("session.new", capabilities={})
+        self.call("session.subscribe", events=["log.entryAdded"])
         self.context = self._tree()
         self.inside = self._tree(**{"moz:scope": "chrome"})
         self.resize(1280, 800)
@@ -218,7 +225,8 @@ class Firefox(Engine):
         self.sent += 1
         self.wire.send(json.dumps({"id": self.sent, "method": method, "params": given}))
         while (told := json.loads(self.wire.recv())).get("id") != self.sent:
-            pass
+            if told["params"].get("level") == "error":
+                self.logged.append(told["params"]["text"])
         if told["type"] == "error":
             raise AssertionError(f"{method}: {told['error']}: {told['message']}")
         return told["result"]
@@ -292,7 +300,8 @@ class WebKit(Engine):
     def resize(self, width: int, height: int) -> None:
         self.size = width, height
         for _ in range(WIRE * 10):      # it may be on its way back from the full screen
-            self.call("POST", "/window/rect", width=width, height=height)
+            self.call("POST", "/window/rect", width=width, height=height,
+                      x=(SCREEN[0] - width) // 2, y=(SCREEN[1] - height) // 2)
             if self.evaluate("() => [innerWidth, innerHeight]") == [width, height]:
                 return
             time.sleep(0.1)
@@ -417,6 +426,18 @@ def open_engine(name: str) -> Iterator[Engine]:
         yield page
 
 
+def engine_or_skip(name: str) -> Iterator[Engine]:
+    """For a fixture: where there is none its tests skip, unless KINLAB_REQUIRE_BROWSER is 1."""
+    with ExitStack() as room:
+        try:
+            page = room.enter_context(open_engine(name))
+        except Missing as error:
+            if os.environ.get("KINLAB_REQUIRE_BROWSER") == "1":
+                pytest.fail(f"KINLAB_REQUIRE_BROWSER=1 but there is {error}")
+            pytest.skip(f"there is {error}: install chromium, firefox-esr, webkit2gtk-driver, xvfb")
+        yield page
+
+
 @contextmanager
 def _firefox() -> Iterator[Firefox]:
     program = _found("firefox-esr", "firefox")
@@ -474,8 +495,8 @@ def _web_driver() -> Iterator[str]:
 def _screen() -> Iterator[str]:
     """An X screen that nobody sees; its name."""
     read, write = os.pipe()
-    command = [_found("Xvfb"), "-displayfd", str(write), "-screen", "0", "2000x2400x24",
-               "-nolisten", "tcp"]
+    command = [_found("Xvfb"), "-displayfd", str(write), "-screen", "0",
+               "{}x{}x24".format(*SCREEN), "-nolisten", "tcp"]
     with _running(command, stderr=subprocess.DEVNULL, pass_fds=[write]), os.fdopen(read) as told:
         os.close(write)
         yield f":{told.readline().strip()}"
