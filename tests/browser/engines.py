@@ -225,7 +225,7 @@ class Firefox(Engine):
         self.sent += 1
         self.wire.send(json.dumps({"id": self.sent, "method": method, "params": given}))
         while (told := json.loads(self.wire.recv())).get("id") != self.sent:
-            if told["params"].get("level") == "error":
+            if told.get("params", {}).get("level") == "error":
                 self.logged.append(told["params"]["text"])
         if told["type"] == "error":
             raise AssertionError(f"{method}: {told['error']}: {told['message']}")
@@ -333,7 +333,9 @@ class WebKit(Engine):
 
     def _begin(self, *options: str) -> None:
         driver = self.room.enter_context(_web_driver())
-        browser = {"binary": _found(MINI_BROWSER), "args": ["--automation", *options]}
+        # Else it keeps to itself what is wrong in a script that comes from the disk.
+        browser = {"binary": _found(MINI_BROWSER), "args": [
+            "--automation", "--allow-universal-access-from-file-urls=true", *options]}
         told = _asked("POST", f"{driver}/session", {"capabilities": {"alwaysMatch": {
             "timeouts": {"script": 1000 * WIRE}, "webkitgtk:browserOptions": browser}}})
         self.address = f"{driver}/session/{told['sessionId']}"
