@@ -241,7 +241,7 @@ def test_opened_again_each_view_lives_or_is_its_picture(student, order):
         assert student.seen() == ORDERS[order], again
         sizes.append((student.root / student.name).stat().st_size)
     assert_whole(student.file(), "strip" in order)
-    assert max(sizes) < 1.01 * sizes[0]  # the file does not grow
+    assert max(sizes) < sizes[0] + 2_000  # one view more would be a hundred times as long
 
 
 @pytest.mark.thorough
