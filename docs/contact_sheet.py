@@ -5,6 +5,7 @@ Run with: python docs/contact_sheet.py OUT [--views NAME ...] (needs the `test` 
     python docs/contact_sheet.py build/sheet                  # all views, a few minutes
     python docs/contact_sheet.py build/sheet --views 04 ring  # whose names hold "04" or "ring"
     python docs/contact_sheet.py build/sheet --widths 390 --themes light
+    python docs/contact_sheet.py build/sheet --views 07 --side-by-side firefox webkit chromium
 
 A view is known by its lesson and by the cell that shows it: "04 n-view". They are found by running
 the notebooks, so that none is forgotten. OUT gets
@@ -21,6 +22,8 @@ the notebooks, so that none is forgotten. OUT gets
   outside   what is drawn beyond the picture's edge
   scroll    what is wider than its place, so that one has to scroll sideways
   ========= =====================================================================================
+
+or, where browsers stand side by side, only NAME-THEME-WIDTH.png for each view.
 """
 from __future__ import annotations
 
@@ -32,6 +35,7 @@ import io
 import sys
 import tempfile
 from collections.abc import Sequence
+from itertools import product
 from pathlib import Path
 from typing import Any
 
@@ -45,8 +49,10 @@ from kinlab.course.handout import FOLDER
 ROOT = Path(__file__).parents[1]
 sys.path.insert(0, str(ROOT / "tests" / "browser"))
 
+from engines import open_engine  # noqa: E402
 from lab import open_browser  # noqa: E402
 from measured import DRAWN, MEASURE  # noqa: E402
+from reading import RESTED  # noqa: E402
 
 WIDTHS, THEMES = (390, 1280, 1920), ("light", "dark")
 HEIGHTS = {390: 844, 1280: 800, 1920: 1080}
@@ -62,10 +68,14 @@ def main(arguments: Sequence[str] | None = None) -> None:
     parser.add_argument("--views", nargs="+", default=[""], help="parts of the names to take")
     parser.add_argument("--widths", nargs="+", type=int, default=WIDTHS)
     parser.add_argument("--themes", nargs="+", default=THEMES, choices=THEMES)
+    parser.add_argument("--side-by-side", nargs="+", metavar="ENGINE", default=[],
+                        help="the same pages in firefox, webkit and chromium")
     asked = parser.parse_args(arguments)
     (asked.out / "views").mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory() as folder:
         pages = save_pages(Path(folder), asked.views)
+        if asked.side_by_side:
+            return side_by_side(pages, asked.out, asked.widths, asked.themes, asked.side_by_side)
         measured = photograph(pages, asked.out, asked.widths, asked.themes)
     for theme in asked.themes:
         for width in asked.widths:
@@ -137,8 +147,26 @@ def _open(page: Page, path: Path, width: int) -> None:
     page.evaluate(DRAWN)
 
 
-def _photo(out: Path, name: str, theme: str, width: int) -> Path:
+def _photo(out: Path, name: str, theme: str, width: int | str) -> Path:
     return out / "views" / f"{name.replace(' ', '-')}-{theme}-{width}.png"
+
+
+def side_by_side(pages: dict[str, Path], out: Path, widths: Sequence[int],
+                 themes: Sequence[str], engines: Sequence[str]) -> None:
+    """Save each page at each width in each theme, as these browsers show it, on one sheet."""
+    for engine in engines:
+        with open_engine(engine) as page:
+            for theme in themes:
+                page.look(theme)
+                for (name, path), width in product(pages.items(), widths):
+                    page.resize(width, HEIGHTS.get(width, 900))
+                    page.open(path.as_uri())
+                    page.evaluate(RESTED)
+                    _photo(out, name, theme, f"{width}-{engine}").write_bytes(page.photo())
+    for name, theme, width in product(pages, themes, widths):
+        photos = [Image.open(_photo(out, name, theme, f"{width}-{engine}")).convert("RGB")
+                  for engine in engines]
+        _sheet(engines, photos, len(engines)).save(out / f"{name}-{theme}-{width}.png")
 
 
 # ---- Sheets --------------------------------------------------------------------------------
