@@ -249,6 +249,11 @@ def test_dark_where_the_system_is_dark(visit, engine):
         page = visit("spatial")
         assert page.evaluate(paint) == ["rgb(17, 20, 23)", "rgb(255, 138, 61)"]
         assert max(colours(page, *page.middle(".kl-pose td"))[0]) < 60
+        page = visit("choice")
+        assert max(colours(page, *page.middle(".kl-option input"), 2)[0]) < 60   # not chosen
+        page.press("Space", on=".kl-option input")
+        x, y = page.middle(".kl-option input")
+        assert colours(page, x - 6, y, 1)[0] == (86, 180, 233)
     finally:
         engine.look("light")
     page = visit("spatial")
@@ -315,7 +320,13 @@ def test_on_paper_is_what_can_be_seen_and_nothing_is_cut(visit):
         page.paper(False)
     if page.name == "webkit":
         return                                            # it prints nothing without a window
-    assert re.findall(rb"/Count (\d+)", unpacked(page.pdf())) == [b"1"]
+    whole = unpacked(page.pdf())
+    assert re.findall(rb"/Count (\d+)", whole) == [b"1"]
+    page.evaluate("() => document.querySelectorAll('.kl-picture text').forEach(t => t.remove())")
+    wordless = unpacked(page.pdf())
+    page.evaluate("() => document.querySelector('.kl-picture svg').replaceChildren()")
+    bare = unpacked(page.pdf())
+    assert len(bare) + 5000 < len(wordless) < len(whole) - 5000   # bodies and names are printed
 
 
 def unpacked(pdf):
