@@ -88,6 +88,9 @@ def build(folder: Path, pyodide: Path | None = None,
         _write_settings(work, wheels, pyodide is not None)
         _run_jupyterlite(work, wheels, made)
         _add_script(made / "lab", editions)
+        for icons in made.glob("build/fa-*"):
+            if icons.suffix in (".eot", ".svg", ".ttf"):  # no browser that runs Python asks for them
+                icons.unlink()
         with writing("OUT", folder):
             _move_in(made, folder)
             doors.say_so(folder)
