@@ -89,7 +89,7 @@ def build(folder: Path, pyodide: Path | None = None,
         _run_jupyterlite(work, wheels, made)
         _add_script(made / "lab", editions)
         for icons in made.glob("build/fa-*"):
-            if icons.suffix in (".eot", ".svg", ".ttf"):  # no browser that runs Python asks for them
+            if icons.suffix in (".eot", ".svg", ".ttf"):  # browsers that run Python take others
                 icons.unlink()
         with writing("OUT", folder):
             _move_in(made, folder)
