@@ -67,13 +67,12 @@ export function readingLines({ readings, decimals, motions }) {
   /** @type {[HTMLElement, Part][]} */
   const spans = [];
   const box = make("div", { class: "kl-readings" });
-  for (const { name, text, parts } of readings) {
-    const [first, ...rest] = text.split("{}");
+  for (const { name, words: [first, ...rest], parts } of readings) {
     const line = make("div", { "data-reading": name }, first);
-    rest.forEach((words, k) => {
+    rest.forEach((after, k) => {
       const span = make("span", { class: `kl-number ${quantityOf(parts[k], motions)}` });
       spans.push([span, parts[k]]);
-      line.append(span, words);
+      line.append(span, after);
     });
     box.append(line);
   }

@@ -108,10 +108,10 @@ export interface Volume { kind: "volume"; ellipsoid: number; size: number; scale
 export interface Entry { kind: "entry"; knob: number; texts: string[] }
 export type Part = Vector | Distance | Amount | Volume | Entry;
 
-/** A formula under the picture, with a {} in its text for each part. */
+/** A formula under the picture: words before, between and after its parts. */
 export interface Reading {
   name: string;
-  text: string;
+  words: string[];
   parts: Part[];
 }
 

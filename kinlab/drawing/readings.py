@@ -2,7 +2,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import asdict, dataclass
 from typing import ClassVar
 
@@ -105,6 +105,17 @@ class Reading:
     text: str
     parts: tuple[Part, ...]
 
+    @property
+    def words(self) -> list[str]:
+        """What stands before, between and after the parts; braces of a name are only letters."""
+        return self.text.split("{}", len(self.parts))
+
     def data(self) -> dict:
         """Plain data for the browser."""
-        return {"name": self.name, "text": self.text, "parts": [part.data() for part in self.parts]}
+        return {"name": self.name, "words": self.words,
+                "parts": [part.data() for part in self.parts]}
+
+    def said(self, parts: Iterable[str]) -> str:
+        """The formula with these texts for its parts."""
+        first, *rest = self.words
+        return first + "".join(part + words for part, words in zip(parts, rest))

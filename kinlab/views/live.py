@@ -221,7 +221,7 @@ class LiveView(anywidget.AnyWidget):
                   for knob in self._scene.knobs]
         read = self.readings
         formulas = [
-            reading.text.format(*(_said(part, self.decimals) for part in read[reading.name]))
+            reading.said(_said(part, self.decimals) for part in read[reading.name])
             for reading in self._scene.readings]
         return "\n".join([f"{type(self).__name__}({', '.join([repr(self._scene.name), *values])})",
                           *formulas])

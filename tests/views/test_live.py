@@ -280,3 +280,12 @@ def test_a_remark_on_rounded_angles_stands_under_the_closed_form():
     arm = kl.Arm([kl.revolute(a=1, alpha=1.5708)])
     formula = kl.ArmView(arm, closed_form=True).formula
     assert formula.endswith("</math><p>alpha1 = 1.5708 looks rounded: it is taken as pi/2.</p>")
+
+
+@pytest.mark.parametrize("name", ["{raw}", "{0}", "{", "}{", "{} and {}", "%s"])
+def test_braces_in_a_name_are_letters_in_a_formula(name):
+    arm = kl.Arm([kl.revolute(a=1, name=name), kl.revolute(a=1)], unit=name)
+    for view in (kl.link_view(arm, 1), kl.velocity_view(arm)):
+        for line in view._scene.data()["readings"]:
+            assert len(line["words"]) == len(line["parts"]) + 1
+        assert name in repr(view)
