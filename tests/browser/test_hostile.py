@@ -164,9 +164,10 @@ def prediction_page(text, folder, name="trial.hostile"):
 
 def remember(page, record, name="trial.hostile"):
     """Let the browser's store hold this, as text, when a page is opened."""
-    page.evaluate("([name, record]) => localStorage.setItem('kinlab predictions', "
-                  "name == null ? record : JSON.stringify({ [name]: JSON.parse(record) }))",
-                  [name, record])
+    store = "name == null ? record : JSON.stringify({ [name]: JSON.parse(record) })"
+    page.add_init_script(  # before the page's own: a store that was just written may come later
+        f"(([name, record]) => localStorage.setItem('kinlab predictions', {store}))"
+        f"({json.dumps([name, record])})")
 
 
 @every_text
