@@ -169,6 +169,16 @@ def test_a_thread_that_was_left_behind_ends():
         thread.join()
 
 
+def test_a_thread_that_does_not_hear_yet_keeps_no_copy_waiting():
+    deaf = []
+    with pytest.raises(TimeIsOver):
+        time_limit._in_a_thread(SOON, lambda: [deaf.append(threading.current_thread()),
+                                               time.sleep(3)])
+    while deaf[0].is_alive():
+        verdict = kl.exercises.check("rotation.1", lambda theta: np.eye(2), seconds=60)
+        assert "did not come back" not in verdict.message
+
+
 def test_nobody_is_asked_for_input(way):
     if way == "linux":
         message = kl.exercises.check("rotation.1", lambda t: input()).message
