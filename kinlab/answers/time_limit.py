@@ -86,7 +86,7 @@ def _in_a_copy(seconds: float, work: Callable[[], Result]) -> Result:
         here, there = Pipe(duplex=False)
         copy = _fork()
         if copy == 0:
-            _be_the_copy(there, printed, work)
+            _be_the_copy(seconds, there, printed, work)
         there.close()
         try:
             if not here.poll(seconds):
@@ -109,10 +109,12 @@ def _fork() -> int:
         return os.fork()
 
 
-def _be_the_copy(there: Connection, printed: BinaryIO, work: Callable[[], Any]) -> NoReturn:
+def _be_the_copy(seconds: float, there: Connection, printed: BinaryIO,
+                 work: Callable[[], Any]) -> NoReturn:
     """Do the work, send its result and end, whatever happens."""
     try:
         os.setpgid(0, 0)  # the Stop button is for the process that waits
+        _end_after(seconds + 1)
         _hear_what_was_said()
         _limit_memory()
         for stream in (1, 2):
@@ -122,6 +124,12 @@ def _be_the_copy(there: Connection, printed: BinaryIO, work: Callable[[], Any]) 
         there.send(work())
     finally:
         os._exit(0)
+
+
+def _end_after(seconds: float) -> None:
+    """End this process, should the one that waits be killed before it."""
+    signal.signal(signal.SIGALRM, signal.SIG_DFL)
+    signal.setitimer(signal.ITIMER_REAL, seconds)
 
 
 def _hear_what_was_said() -> None:

@@ -1,10 +1,13 @@
 """Whatever is handed over, a check comes back, and Python is as it was before."""
 import itertools
 import os
+import signal
+import subprocess
 import sys
 import threading
 import time
 from contextlib import suppress
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -177,6 +180,41 @@ def test_a_thread_that_does_not_hear_yet_keeps_no_copy_waiting():
     while deaf[0].is_alive():
         verdict = kl.exercises.check("rotation.1", lambda theta: np.eye(2), seconds=60)
         assert "did not come back" not in verdict.message
+
+
+WAITING = """
+import os
+from kinlab.answers.time_limit import within
+
+def loop():
+    os.write({pipe}, str(os.getpid()).encode())
+    while True:
+        pass
+
+within(1, loop)
+"""
+
+
+def test_a_copy_ends_although_nobody_waits_for_it_any_more():
+    here, there = os.pipe()
+    kernel = subprocess.Popen([sys.executable, "-c", WAITING.format(pipe=there)],
+                              pass_fds=[there])
+    copy = int(os.read(here, 20))
+    kernel.kill()  # as a restart does
+    kernel.wait()
+    end = time.monotonic() + 60
+    while (runs := runs_on(copy)) and time.monotonic() < end:
+        time.sleep(0.1)
+    if runs:
+        os.kill(copy, signal.SIGKILL)
+    assert not runs
+
+
+def runs_on(process):
+    try:
+        return Path(f"/proc/{process}/stat").read_text().rpartition(")")[2].split()[0] not in "ZX"
+    except FileNotFoundError:
+        return False
 
 
 def test_nobody_is_asked_for_input(way):
