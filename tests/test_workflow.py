@@ -9,7 +9,9 @@ import yaml
 
 ROOT = Path(__file__).parents[1]
 PATH = ROOT / ".github" / "workflows" / "course.yml"
-JOBS = yaml.safe_load(PATH.read_text(encoding="utf-8"))["jobs"]
+WORKFLOW = yaml.safe_load(PATH.read_text(encoding="utf-8"))
+STARTED = WORKFLOW[True]  # YAML takes the word "on" for true
+JOBS = WORKFLOW["jobs"]
 
 
 def commands(job):
@@ -27,6 +29,15 @@ def told():
 def test_every_change_must_pass_what_it_must_pass_here():
     assert commands("tests") == [".ci/run"]
     assert (ROOT / ".ci" / "run").stat().st_mode & 0o111
+
+
+def test_every_night_the_slow_tests_run_too_and_on_changes_they_do_not():
+    (night,) = STARTED["schedule"]
+    assert re.fullmatch(r"\d+ \d+ \* \* \*", night["cron"])
+    assert commands("nightly") == [".ci/run", ".ci/thorough"]
+    assert (ROOT / ".ci" / "thorough").stat().st_mode & 0o111
+    assert JOBS["nightly"]["if"] == "github.event_name == 'schedule'"
+    assert JOBS["tests"]["if"] == "github.event_name != 'schedule'"
 
 
 def test_pages_are_built_by_the_commands_that_people_are_told():
