@@ -17,13 +17,13 @@ import sys
 import tempfile
 import time
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import ExitStack, contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 from urllib.error import HTTPError, URLError
 from urllib.request import urlopen
 
-from playwright.sync_api import Browser, Page, sync_playwright
+from playwright.sync_api import Browser, Page, Playwright, sync_playwright
 
 CHROMIUM_ARGS = ["--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run",
                  "--disable-background-networking", "--disable-component-update",
@@ -83,11 +83,26 @@ def start_lab(root: Path | str, python: Path | str = sys.executable,
             _stop(server)
 
 
+_room, _users = ExitStack(), []
+
+
+@contextmanager
+def _playwright() -> Iterator[Playwright]:
+    """Playwright, which runs once in a thread: browsers that are open together share it."""
+    _users.append(_users[0] if _users else _room.enter_context(sync_playwright()))
+    try:
+        yield _users[0]
+    finally:
+        _users.pop()
+        if not _users:
+            _room.close()
+
+
 @contextmanager
 def open_browser(*args: str) -> Iterator[Browser]:
     """Headless Chromium: the system's, or Playwright's own where there is none."""
     chromium = shutil.which("chromium") or shutil.which("chromium-browser")
-    with sync_playwright() as playwright:
+    with _playwright() as playwright:
         browser = playwright.chromium.launch(executable_path=chromium,
                                              args=[*CHROMIUM_ARGS, *args])
         try:

@@ -5,6 +5,15 @@ import sys
 from pathlib import Path
 
 import pytest
+from engines import open_engine
+
+
+def test_a_page_is_opened_while_another_chromium_is_open(browser):
+    with open_engine("chromium") as page:
+        assert page.evaluate("() => 1 + 1") == 2
+    page = browser.new_page()
+    assert page.evaluate("1 + 1") == 2
+    page.close()
 
 
 @pytest.mark.parametrize("required, outcome", [
