@@ -179,11 +179,12 @@ def test_a_cell_of_the_editor_is_typed_and_python_has_the_table(host):
 
 KEYS = ["ArrowDown", "ArrowRight", "b", "x"]
 FOCUSED = """k => {
+    const takes = "button, input, select, summary, a[href], [tabindex]";   // -1: by arrow keys
     const fields = "input[type=text], input:not([type]), textarea";
     const ours = [...document.querySelectorAll(".kl-editor, .kl-view, .kl-predict")]
-        .flatMap(root => [...root.querySelectorAll("*")])
-        .filter((node, i, all) => all.indexOf(node) === i && node.tabIndex >= 0
-                && node.checkVisibility() && !node.matches(fields));
+        .flatMap(root => [...root.querySelectorAll(takes)])
+        .filter((node, i, all) => all.indexOf(node) === i && node.checkVisibility()
+                && !node.matches(fields));
     ours[k]?.focus();
     return k < ours.length ? document.activeElement === ours[k] : null;
 }"""
