@@ -61,7 +61,8 @@ VIEWS = {"arm": lambda arm: kl.ArmView(arm, closed_form=True),
          "target": kl.TargetView,
          "stages": lambda arm: kl.link_view(arm, 1),
          "velocity": kl.velocity_view,
-         "solve": lambda arm: kl.solve_view(arm, kl.forward_kinematics(arm, [0.1, 0.2])[:3, 3])}
+         "solve": lambda arm: kl.solve_view(arm, kl.forward_kinematics(arm, [0.1, 0.2])[:3, 3],
+                                            methods=("damped", "transpose"))}
 
 
 def kinds_of(page, view, path, question):
