@@ -96,6 +96,14 @@ def test_lesson_has_exercises_with_checks_and_a_solution_for_each(path):
     assert [id.split("-")[0] for id in order] == ["exercise", "check"] * len(exercises)
 
 
+@pytest.mark.parametrize("path", LESSONS, ids=name)
+def test_the_first_arm_waits_for_no_algebra(path):
+    sources = [cell.source for cell in code_cells(read(path))]
+    shows = re.compile(r"View\(|_view\(|predict\(").search
+    first = next(k for k, code in enumerate(sources) if shows(code))
+    assert "sympy" not in "".join(sources[:first])
+
+
 def checks(path):
     """The names of a notebook's checks, such as "dh_recipe.1"."""
     return {said for cell in tagged(read(path), "check").values()
