@@ -6,6 +6,7 @@ and spaces, which are for whoever reads the source, stay behind.
 """
 from __future__ import annotations
 
+import json
 import re
 from collections import Counter
 from collections.abc import Collection
@@ -20,6 +21,7 @@ _AIR = re.compile(r"\s*([{};,])\s*|(?<=:)\s+")  # in a style
 _IMPORT = re.compile(r'^import \{([^}]*)\} from "\./([\w.]+)";\n', re.MULTILINE)
 # rjsmin would take the spaces out of a text in backquotes within another one.
 _NESTED = re.compile(r"`[^`]*\$\{[^}`]*`")
+_NOT_ASCII = re.compile(r"[^\x00-\x7f]+")
 _EXPORT = re.compile(r"^export (?!default\b)", re.MULTILINE)
 # The names that a line at the margin defines: "const A = 1, B = 2;" defines two.
 _NAMES = re.compile(r"^(export )?(?:(?:async )?function\*?|class|const|let) "
@@ -27,11 +29,12 @@ _NAMES = re.compile(r"^(export )?(?:(?:async )?function\*?|class|const|let) "
 
 
 def module(entry: str, folder: Path = HERE) -> str:
-    """One ES module with the exports of the entry module alone.
+    """One ES module with the exports of the entry module alone, in ASCII: it takes half the memory.
 
     Raises ValueError, in one sentence, where the modules cannot stand in one scope.
     """
-    return f"{jsmin(_joined(entry, folder))}\n"
+    text = f"{jsmin(_joined(entry, folder))}\n"
+    return _NOT_ASCII.sub(lambda found: json.dumps(found[0])[1:-1], text)
 
 
 def script(entry: str, folder: Path = HERE, without: Collection[str] = ()) -> str:

@@ -29,6 +29,13 @@ def test_what_is_needed_comes_first_and_only_the_entry_exports(folder):
         "export const all=half()+low;export default{all};\n")
 
 
+def test_a_module_is_ascii_and_means_the_same(folder):
+    (folder / "signs.js").write_text("export const signs = /[θ−]/u.test('𝜃') + `é`;\n",
+                                     encoding="utf-8")
+    assert bundle.module("signs.js", folder) == (
+        r"export const signs=/[\u03b8\u2212]/u.test('\ud835\udf03')+`\u00e9`;" + "\n")
+
+
 def test_a_page_gets_a_script_that_cannot_end_early(folder):
     (folder / "end.js").write_text('const end = "</script>";\n', encoding="utf-8")
     assert bundle.script("end.js", folder) == '(() => {const end="<\\/script>";})();\n'
