@@ -91,6 +91,8 @@ def _start() -> subprocess.Popen[bytes]:
 def work(idle: float) -> None:
     """Answer jobs from standard input until it closes or none comes for `idle` seconds."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # it is the kernel that is interrupted
+    if hasattr(os, "nice"):
+        os.nice(5)  # while a whole class starts, kernels come first: they show the first arm
     from . import figure
 
     figure.prepare()  # matplotlib and its letters are there when the first job comes
