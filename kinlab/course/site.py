@@ -104,6 +104,10 @@ class _Renderer(IPythonRenderer):
             return f'<a role="button" href="{escape(url)}">{text}</a>'
         return super().link(text, re.sub(r"\.ipynb(?=$|#)", ".html", url), title)
 
+    def image(self, text: str, url: str, title: str | None = None) -> str:
+        """A picture that the notebook holds; of others the words, as a page loads nothing."""
+        return super().image(text, url, title) if url.startswith("data:") else text
+
     def paragraph(self, text: str) -> str:
         return super().paragraph(_tied(text))
 
@@ -134,6 +138,11 @@ def _markdown(source: str) -> str:
     """Markdown as HTML; links that would run something lead nowhere."""
     reader = MarkdownWithMath(_Renderer(escape=False, allow_harmful_protocols=False))
     return str(reader(source))
+
+
+def _words(text: str) -> str:
+    """Markdown that shows a text as it is."""
+    return re.sub(r"([!-/:-@[-`{-~])", r"\\\1", text)
 
 
 def _plain_tags(html: str) -> str:
@@ -204,8 +213,8 @@ def still(notebook: nbformat.NotebookNode) -> nbformat.NotebookNode:
 
 def course_map(course: Sequence[Lesson]) -> nbformat.NotebookNode:
     """The page that leads to all lessons, as a notebook."""
-    rows = "".join(f"| [{lesson.name}]({lesson.page}) | {lesson.title} | {lesson.minutes} |\n"
-                   for lesson in course)
+    rows = "".join(f"| [{_words(lesson.name)}](./{lesson.page}) | {_words(lesson.title)} | "
+                   f"{lesson.minutes} |\n" for lesson in course)
     return nbformat.v4.new_notebook(cells=[
         nbformat.v4.new_markdown_cell(text) for text in (_WELCOME, _HEAD + rows)])
 

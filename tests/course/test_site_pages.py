@@ -65,7 +65,7 @@ def test_every_link_leads_somewhere(folder, name, text):
         if parts.scheme:  # a reader may follow it out of the course
             assert parts.scheme in ("http", "https")
             continue
-        target = parts.path or f"{name}.html"
+        target = parts.path.removeprefix("./") or f"{name}.html"
         assert target in PAGES, link
         if parts.fragment and (folder / target).is_file():
             assert unquote(parts.fragment) in anchors(folder, target), link
