@@ -22,7 +22,7 @@ MAY_KNOW = {
     "tables": {"arms", "answers"},
     "views": {"arms", "ik", "answers", "tables", "drawing", "browser"},
     "lessons": {"arms", "ik", "answers", "tables", "drawing", "browser", "views"},
-    "course": {"views", "browser"},
+    "course": {"arms.robots", "views", "browser"},
     "exercises": {"arms.inputs", "answers", "lessons"},   # the door kl.exercises.check
     "predictions": {"arms.inputs", "lessons", "views"},   # the door kl.predict
     "__main__": {"course"},

@@ -115,8 +115,8 @@ function signTable({ rows, columns, among, right }) {
 function inPicture({ kind }, set) {
   const what = kind === "mark" ? "mark" : "arrow";
   const hint = make("p", { class: "kl-advice" }, kind === "mark"
-    ? "Drag the black dot in the picture, or set it with the sliders."
-    : "Turn the black arrow in the picture by its tip, or with the slider.");
+    ? "Drag the dot “you” in the picture, or set it with the sliders."
+    : "Turn the arrow “you” in the picture by its tip, or with the slider.");
   return {
     nodes: [hint],
     given() {

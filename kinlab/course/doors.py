@@ -35,16 +35,16 @@ def lesson(notebook: str, lite: bool) -> str:
                 "JupyterLab.</p>")
     return (f'<p class="kl-check">{_link(notebook, "Run this lesson", "kl-run")} {_RUN} Run the '
             "lesson to change its code and to have your answers checked: it opens as a notebook "
-            "in this browser, with nothing to install.</p>")
+            "in this browser, with nothing to install. Choose <strong>Run All Cells</strong> in "
+            "its menu <strong>Run</strong> first.</p>")
 
 
 def check(notebook: str, lite: bool) -> str:
     """What stands on a page in the place of an exercise's check, as HTML."""
-    where = (f"Checking needs Python: {_link(notebook, 'run this lesson')}, put your answer in\n"
-             "this place there" if lite else
-             f"Checking needs JupyterLab: open {_file(notebook)} there, put your answer in\n"
-             "this place")
-    return f'<p class="kl-check">{where} and run the next cell. {_JUDGED}</p>'
+    where = (f"Checking needs Python: {_link(notebook, 'run this lesson')} and" if lite else
+             f"Checking needs JupyterLab: open {_file(notebook)} there and run")
+    return (f'<p class="kl-check">{where} all its cells. Put your\nanswer in this place, run that '
+            f"cell and then the next one. {_JUDGED}</p>")
 
 
 def front(lite: bool) -> str:

@@ -25,7 +25,9 @@ from nbconvert.filters.highlight import Highlight2HTML
 from nbconvert.filters.markdown_mistune import IPythonRenderer, MarkdownWithMath
 from pygments.formatters import HtmlFormatter
 
+from ..arms.robots import alpha_ii
 from ..browser import bundle, mathml
+from ..views.arm_view import ArmView
 from . import doors, minutes, pieces
 from .handout import FOLDER, writing
 from .notebooks import run
@@ -187,7 +189,7 @@ def build(folder: Path, lessons: Sequence[Path] | None = None, progress: bool = 
                check=doors.check(lesson.path.name, lite), previous=around[k], next=around[k + 2],
                map=True)
     _write(export, folder / "index.html", course_map(course), title="Course map",
-           how=doors.front(lite), next=course[0])
+           how=f"{doors.front(lite)}\n{_arm()}", next=course[0])
     if progress:
         print(f"\r  {len(course)} lessons: open {folder / 'index.html'}{' ' * 20}", file=sys.stderr)
 
@@ -209,6 +211,11 @@ def still(notebook: nbformat.NotebookNode) -> nbformat.NotebookNode:
         for output in cell.get("outputs", ()):
             output.html = _output(output)
     return made
+
+
+def _arm() -> str:
+    """An arm that a visitor drags at once, without a lesson around it."""
+    return f'<div class="kl-output">{ArmView(alpha_ii()).html()}</div>'
 
 
 def course_map(course: Sequence[Lesson]) -> nbformat.NotebookNode:

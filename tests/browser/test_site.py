@@ -94,6 +94,14 @@ def test_every_term_of_a_lesson_lights_its_view(visit, name):
         assert beside.locator(".kl-picture .kl-dim").count() > 0, term.get_attribute("href")
 
 
+def test_an_arm_is_there_to_drag_on_the_front_page(visit):
+    page, robot = visit("index"), kl.robots.alpha_ii
+    assert_picture(read(page.locator(".kl-view")), robot, robot().home, HOME)
+    page.get_by_role("slider").first.press("PageUp")
+    q = from_units(robot, [10, 0, 0, -90, 0])
+    assert_picture(read(page.locator(".kl-view")), robot, q, HOME)
+
+
 def test_the_map_fits_phones(visit):
     assert_fits_phones(visit("index"))
 

@@ -58,3 +58,4 @@ def test_pages_alone_lead_to_jupyterlab_and_beside_lite_to_the_lesson(lessons, t
     (links,) = links.values()
     assert [parse_qs(urlparse(link).query)["path"] for link in links] == [[LESSON]] * 2
     assert not any("JupyterLab" in text for text in texts.values())
+    assert "Run All Cells" in texts[f"{LESSON.removesuffix('.ipynb')}.html"]  # a check needs them

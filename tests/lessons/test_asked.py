@@ -1,5 +1,6 @@
 """What a newcomer meets in the notebooks: asked before it is shown, and left open by Run All."""
 import re
+from pathlib import Path
 
 import nbformat
 import pytest
@@ -78,3 +79,19 @@ def test_no_later_cell_moves_a_prediction(path):
 def shown(text):
     """A text without what is folded in it."""
     return re.sub(r"<details>.*?</details>", "", text, flags=re.DOTALL)
+
+
+def read():
+    """What a student reads: the lessons' texts, the questions, and what the browser says."""
+    for path in sorted(FOLDER.rglob("*.ipynb")):
+        yield path.name, "\n".join(cell.source for cell in cells(path)
+                                   if cell.cell_type == "markdown")
+    package = Path(lessons.__file__).parents[1]
+    for path in [*package.glob("lessons/asked/*.py"), *package.glob("browser/*.js")]:
+        yield path.name, path.read_text(encoding="utf-8")
+
+
+def test_no_text_names_the_ink_by_its_colour():
+    """What is black on light paper is white on dark paper."""
+    inks = re.compile(r".*\b(?:black|white) (?:dot|arrow|one|line|point).*")
+    assert [(name, found) for name, text in read() for found in inks.findall(text)] == []

@@ -93,8 +93,8 @@ _LINES = {"link 1": "Link 1 leads from the base to the elbow: the tool is not on
           "joint 2.", "the x axis": "The arrow turns with the arm; the x axis does not."}
 _BENT = {"theta_1": 30.0, "theta_2": 90.0}
 _COLUMNS = [
-    Choice(ask="The black arrows at the tool are the columns J₁ and J₂. The arm moves on. To which "
-               "line will J₂ be at right angles in every pose?",
+    Choice(ask="The arrows J₁ and J₂ at the tool are columns of the Jacobian. The arm moves on. To "
+               "which line will J₂ be at right angles in every pose?",
            why="Joint 2 turns the tool about the elbow, so it moves at right angles to the line "
                "from the elbow to the tool: link 2.",
            options=_LINES | {"link 2": ""}, right="link 2", start=_BENT,
