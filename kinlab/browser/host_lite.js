@@ -1,5 +1,6 @@
 // In JupyterLite: a fresh copy of a lesson, and a word where a saved copy is of an older edition.
 // The browser keeps what a student saves and shows that ever after, whatever is published later.
+// And an answer that its kernels owe to saved views: which of them Python knows.
 
 const FRESH = "kinlab:fresh-copy";
 
@@ -52,8 +53,38 @@ async function sayIfOlder(app, told) {
     });
 }
 
+// Prints the views that Python knows, and leaves no name behind.
+const KNOWN = `print(__import__("json").dumps({name: {"target_name": one.target_name}
+    for name, one in __import__("comm").get_comm_manager().comms.items()}))`;
+
+/**
+ * JupyterLite's kernels leave a question for their comms without an answer, and the manager of the
+ * widgets waits for it before it shows a saved view.
+ * @param {any} kernels
+ */
+function answerForComms(kernels) {
+    const connect = kernels.connectTo.bind(kernels);
+    kernels.connectTo = (/** @type {any} */ options) => {
+        const kernel = connect(options);
+        kernel.requestCommInfo = async () =>
+            ({content: {status: "ok", comms: await commsOf(kernel)}});
+        return kernel;
+    };
+}
+
+/** @param {any} kernel one that has not begun knows of none */
+async function commsOf(kernel) {
+    if (!["idle", "busy"].includes(kernel.status)) return {};
+    let said = "";
+    const asked = kernel.requestExecute({code: KNOWN, silent: true, store_history: false});
+    asked.onIOPub = (/** @type {any} */ {content}) => { said += content.text ?? ""; };
+    await asked.done;
+    return JSON.parse(said);
+}
+
 /** @param {any} app */
 async function begin(app) {
+    answerForComms(app.serviceManager.kernels);
     app.commands.addCommand(FRESH, {
         label: "Fresh copy of this lesson",
         caption: "Opens this lesson as it was published; your copy stays, under another name",

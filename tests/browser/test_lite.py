@@ -5,8 +5,10 @@ import shutil
 
 import nbformat
 import pytest
+from access import violations
 from lite_site import (
     OPEN,
+    RUN,
     SECONDS,
     build,
     open_lesson,
@@ -25,6 +27,7 @@ pytestmark = pytest.mark.thorough
 COURSE = [FOLDER / f"{name}.ipynb" for name in (
     "00_start_here", "02_rotation", "07_alpha_ii", "09_workspace")]
 ROTATION = "02_rotation.ipynb"
+VIEW = "import kinlab as kl\n\nview = kl.ArmView(kl.robots.alpha_ii())\nview"
 # JupyterLab's own: front ends built for another of its versions work with this one.
 FRONT = ".jp-NotebookPanel:not(.lm-mod-hidden) "
 
@@ -101,6 +104,22 @@ def fill(page, cell, source):
     }""", [cell, source])
 
 
+def run(page, cell, source):
+    """Run a cell, by its name, with another text."""
+    fill(page, cell, source)
+    page.evaluate("""id => {
+        const {content} = jupyterapp.shell.currentWidget;
+        content.activeCellIndex = [...content.model.cells].findIndex(cell => cell.id === id);
+        return jupyterapp.commands.execute('notebook:run-cell');
+    }""", cell)
+
+
+def hears(page, code, wanted):
+    """Wait until a piece of code prints what is wanted."""
+    page.wait_for_function(f"([code, wanted]) => ({RUN})(code).then(said => said === wanted)",
+                           arg=[code, wanted])
+
+
 def text_of_first_cell(page):
     return page.evaluate("jupyterapp.shell.currentWidget.content.model.cells.get(0)"
                          ".sharedModel.source")
@@ -135,16 +154,60 @@ def test_an_arm_moves_by_the_keys_and_python_hears_of_it(page, address):
     fill(page, "arm", "arm = kl.robots.alpha_ii()\nview = kl.ArmView(arm)\nview")
     run_all(page)
     assert page.locator(f"{FRONT} .kl-picture svg").count() > 5
-    view = page.locator(f"{FRONT} .kl-view").first
-    before = view.locator(".kl-picture svg").inner_html()
     assert python(page, "print(view.theta_1)") == "0.0\n"
+    moved(page)
+    hears(page, "print(view.theta_1 > 0)", "True\n")
+    assert violations(page, f"{FRONT} .kl-view") == []
+
+
+def moved(page):
+    """Move the first view's first joint by a key, and see that its picture follows."""
+    view = page.locator(f"{FRONT} .kl-view").first
+    picture = view.locator(".kl-picture svg")
+    before = picture.inner_html()
     view.get_by_role("slider").first.press("ArrowRight")
-    for _ in range(10 * SECONDS):
-        if python(page, "print(view.theta_1)") != "0.0\n":
-            break
-        page.wait_for_timeout(100)
-    assert float(python(page, "print(view.theta_1)")) > 0
-    assert view.locator(".kl-picture svg").inner_html() != before
+    expect(view.get_by_role("slider").first).not_to_have_value("0")
+    page.wait_for_function("([node, before]) => node.innerHTML !== before",
+                           arg=[picture.element_handle(), before])
+    return view
+
+
+def test_a_saved_view_moves_again_before_anything_is_run(page, address):
+    open_lesson(page, address, ROTATION)
+    run(page, "setup", VIEW)
+    page.locator(f"{FRONT} .kl-view svg").first.wait_for()
+    saved(page)
+    page.goto("about:blank")  # and with it goes Python
+    page.goto(f"{address}/lab/index.html?path={ROTATION}")
+    page.locator(f"{FRONT} .kl-view svg").first.wait_for()
+    expect(moved(page).get_by_text("Python no longer listens")).to_be_visible()
+    expect(page.get_by_text("Loading widget")).to_have_count(0)
+
+
+def test_a_lesson_that_is_closed_and_opened_again_still_tells_python(page, address):
+    open_lesson(page, address, ROTATION)
+    run(page, "setup", VIEW)
+    page.locator(f"{FRONT} .kl-view svg").first.wait_for()
+    saved(page)
+    page.evaluate("jupyterapp.shell.currentWidget.dispose()")
+    page.evaluate("""path => { jupyterapp.commands.execute('docmanager:open', {path}); }""",
+                  ROTATION)
+    page.wait_for_function(OPEN, arg=ROTATION)
+    page.locator(f"{FRONT} .kl-view svg").first.wait_for()
+    moved(page)
+    hears(page, "print(view.theta_1 > 0)", "True\n")
+
+
+def test_a_table_is_typed_and_python_has_the_arm(page, address):
+    open_lesson(page, address, ROTATION)
+    run(page, "setup", "import kinlab as kl\n\n"
+                       "editor = kl.DHTableEditor(kl.robots.alpha_ii())\neditor")
+    editor = page.locator(f"{FRONT} .kl-editor")
+    length = editor.get_by_label("a₂, ", exact=False).and_(editor.locator(".kl-cell"))
+    length.fill("200")
+    length.press("Enter")
+    hears(page, "print(editor.arm.links[1].a)", "200.0\n")
+    assert violations(page, f"{FRONT} .kl-editor") == []
 
 
 def test_pictures_of_a_workspace_are_drawn(page, address):
