@@ -202,6 +202,15 @@ def test_on_a_phone_everything_fits_and_fingers_work(visit):
     assert_picture(read(view), ALPHA, q, (-80, 24, 2))
 
 
+def test_a_name_without_a_space_fits_a_phone(lend, watched, tmp_path):
+    name = "the_arm_of_the_laboratory_with_five_joints_as_measured_in_may"
+    arm = kl.Arm([kl.revolute(a=1)], name=name)
+    page = watched(lend(viewport={"width": 390, "height": 844}))
+    page.goto(kl.ArmView(arm).save_html(tmp_path / "long.html", f"{name}?").as_uri())
+    page.locator(".kl-picture svg").wait_for()
+    assert page.evaluate("document.documentElement.scrollWidth") == 390
+
+
 @pytest.mark.parametrize("sandbox", ["allow-scripts", "allow-scripts allow-same-origin"])
 @pytest.mark.parametrize("way", ["src", "srcdoc"])
 def test_it_works_within_another_page(visit, folder, tmp_path, sandbox, way):
