@@ -4,7 +4,9 @@ import os
 import pytest
 from xdist.scheduler import LoadFileScheduling
 
-LONG = ("tests/browser", "notebooks", "tests/course")  # files that take longest come first
+# Files that take longest come first.
+LONG = ("tests/test_workflow.py", "tests/browser/test_reopen.py", "tests/browser/test_hostile.py",
+        "tests/browser", "notebooks", "tests/course")
 
 
 class Shared(LoadFileScheduling):
