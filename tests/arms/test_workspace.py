@@ -111,6 +111,7 @@ class Terminal(io.StringIO):
 
 
 def test_a_bar_appears_in_a_terminal_and_goes(monkeypatch):
+    monkeypatch.delenv("COLUMNS", raising=False)    # a bar is as long as the terminal is wide
     monkeypatch.setattr("sys.stderr", Terminal())
     monkeypatch.setattr(workspace, "PATIENCE", -1)
     kl.workspace(kl.robots.two_link(), 20_000)
