@@ -63,22 +63,19 @@ class Lesson:
 
     @property
     def opening(self) -> str:
-        return self.notebook.cells[0].source
+        return "".join(cell.source for cell in self.notebook.cells[:1])
 
     @property
     def title(self) -> str:
-        return self._said(r"^# (.+)$")
+        if found := re.search(r"^# (.+)$", self.opening, re.MULTILINE):
+            return found[1]
+        raise ValueError(f"{self.path}: expected a lesson, whose first cell begins with '# ' and a "
+                         "question; move other notebooks out of this folder")
 
     @property
     def minutes(self) -> str:
         total, parts = minutes.opening(self.notebook)
         return f"{total} minutes" + f" in {parts} parts" * (parts > 1)
-
-    def _said(self, line: str) -> str:
-        found = re.search(line, self.opening, re.MULTILINE)
-        if not found:
-            raise ValueError(f"{self.path}: the first cell has no line like {line}")
-        return found[1]
 
 
 class _Renderer(IPythonRenderer):
@@ -180,6 +177,7 @@ def build(folder: Path, lessons: Sequence[Path] | None = None, progress: bool = 
     paths = lessons or sorted(FOLDER.glob("*.ipynb"))
     names = "\n".join(cell.source for cell in nbformat.read(paths[0], as_version=4).cells)
     course = [Lesson.read(path, names) for path in paths]
+    front = course_map(course)  # before any lesson is run: one may be no lesson
     export, around, lite = exporter(), [None, *course, None], doors.has_lite(folder)
     for k, (lesson, made) in enumerate(_run_two_at_a_time(course)):
         if progress:
@@ -188,7 +186,7 @@ def build(folder: Path, lessons: Sequence[Path] | None = None, progress: bool = 
                how=doors.lesson(lesson.path.name, lite),
                check=doors.check(lesson.path.name, lite), previous=around[k], next=around[k + 2],
                map=True)
-    _write(export, folder / "index.html", course_map(course), title="Course map",
+    _write(export, folder / "index.html", front, title="Course map",
            how=f"{doors.front(lite)}\n{_arm()}", next=course[0])
     if progress:
         print(f"\r  {len(course)} lessons: open {folder / 'index.html'}{' ' * 20}", file=sys.stderr)

@@ -217,3 +217,16 @@ def test_a_folder_that_cannot_be_made_is_refused_in_a_sentence(tmp_path, capsys)
     with pytest.raises(SystemExit):
         main(["site", str(tmp_path / "file")])
     assert (tmp_path / "file").read_text() == ""
+
+
+@pytest.mark.parametrize("cells", [[], [nbformat.v4.new_code_cell("1 / 0")]])
+def test_a_notebook_that_is_no_lesson_is_named_before_any_is_run(tmp_path, capsys, monkeypatch,
+                                                                 cells):
+    monkeypatch.setattr(site, "FOLDER", tmp_path)
+    monkeypatch.setattr(site, "run", lambda notebook: pytest.fail("a lesson was run"))
+    (tmp_path / "00_start_here.ipynb").write_bytes((FOLDER / "00_start_here.ipynb").read_bytes())
+    nbformat.write(nbformat.v4.new_notebook(cells=cells), tmp_path / "Untitled.ipynb")
+    with pytest.raises(SystemExit):
+        main(["site", str(tmp_path / "out")])
+    said = capsys.readouterr().err
+    assert f"{tmp_path / 'Untitled.ipynb'}: expected a lesson" in said and "move" in said
