@@ -9,8 +9,8 @@ const editions = JSON.parse(document.getElementById("kinlab-editions")?.textCont
 
 /** @param {any} app JupyterLab; the lesson in front, if one is there */
 function lessonIn(app) {
-    const {context, content} = app.shell.currentWidget ?? {};
-    return context?.path in editions ? {context, content} : {};
+  const { context, content } = app.shell.currentWidget ?? {};
+  return context?.path in editions ? { context, content } : {};
 }
 
 /**
@@ -18,44 +18,44 @@ function lessonIn(app) {
  * @param {any} app
  */
 async function freshCopy(app) {
-    const {context} = lessonIn(app), {contents} = app.serviceManager;
-    if (!context) return;
-    const {path} = context;
-    await context.save();
-    const folder = await contents.get(path.slice(0, Math.max(0, path.lastIndexOf("/"))),
+  const { context } = lessonIn(app), { contents } = app.serviceManager;
+  if (!context) return;
+  const { path } = context;
+  await context.save();
+  const folder = await contents.get(path.slice(0, Math.max(0, path.lastIndexOf("/"))),
                                       {content: true});
-    const taken = folder.content.map((/** @type {any} */ file) => file.path);
-    await contents.rename(path, freeName(path, taken));
-    await app.commands.execute("docmanager:open", {path});
+  const taken = folder.content.map((/** @type {any} */ file) => file.path);
+  await contents.rename(path, freeName(path, taken));
+  await app.commands.execute("docmanager:open", { path });
 }
 
 /** @param {string} path @param {string[]} taken */
 function freeName(path, taken) {
-    const stem = path.replace(/\.ipynb$/, " my copy");
-    let name = `${stem}.ipynb`;
-    for (let k = 2; taken.includes(name); k++) name = `${stem} ${k}.ipynb`;
-    return name;
+  const stem = path.replace(/\.ipynb$/, " my copy");
+  let name = `${stem}.ipynb`;
+  for (let k = 2; taken.includes(name); k++) name = `${stem} ${k}.ipynb`;
+  return name;
 }
 
 /** @param {any} app @param {Set<string>} told the lessons of which it was said already */
 async function sayIfOlder(app, told) {
-    const {context, content} = lessonIn(app);
-    if (!context) return;
-    await context.ready;
-    const {path} = context, edition = content.model?.getMetadata("kinlab")?.edition;
-    if (told.has(path) || edition === editions[path]) return;
-    told.add(path);
-    app.commands.execute("apputils:notify", {
-        message: "This is your saved copy. A newer version of this lesson is here. "
-            + "A fresh copy opens it and keeps yours beside it.",
-        type: "info",
-        options: {autoClose: false, actions: [{label: "Fresh copy", commandId: FRESH}]},
-    });
+  const { context, content } = lessonIn(app);
+  if (!context) return;
+  await context.ready;
+  const { path } = context, edition = content.model?.getMetadata("kinlab")?.edition;
+  if (told.has(path) || edition === editions[path]) return;
+  told.add(path);
+  app.commands.execute("apputils:notify", {
+    message: "This is your saved copy. A newer version of this lesson is here. "
+      + "A fresh copy opens it and keeps yours beside it.",
+    type: "info",
+    options: {autoClose: false, actions: [{label: "Fresh copy", commandId: FRESH}]},
+  });
 }
 
 // Prints the views that Python knows, and leaves no name behind.
 const KNOWN = `print(__import__("json").dumps({name: {"target_name": one.target_name}
-    for name, one in __import__("comm").get_comm_manager().comms.items()}))`;
+  for name, one in __import__("comm").get_comm_manager().comms.items()}))`;
 
 /**
  * JupyterLite's kernels leave a question for their comms without an answer, and the manager of the
@@ -63,47 +63,47 @@ const KNOWN = `print(__import__("json").dumps({name: {"target_name": one.target_
  * @param {any} kernels
  */
 function answerForComms(kernels) {
-    const connect = kernels.connectTo.bind(kernels);
-    kernels.connectTo = (/** @type {any} */ options) => {
-        const kernel = connect(options);
-        kernel.requestCommInfo = async () =>
-            ({content: {status: "ok", comms: await commsOf(kernel)}});
-        return kernel;
-    };
+  const connect = kernels.connectTo.bind(kernels);
+  kernels.connectTo = (/** @type {any} */ options) => {
+    const kernel = connect(options);
+    kernel.requestCommInfo = async () =>
+      ({content: {status: "ok", comms: await commsOf(kernel)}});
+    return kernel;
+  };
 }
 
 /** @param {any} kernel one that has not begun knows of none */
 async function commsOf(kernel) {
-    if (!["idle", "busy"].includes(kernel.status)) return {};
-    let said = "";
-    const asked = kernel.requestExecute({code: KNOWN, silent: true, store_history: false});
-    asked.onIOPub = (/** @type {any} */ {content}) => { said += content.text ?? ""; };
-    await asked.done;
-    return JSON.parse(said);
+  if (!["idle", "busy"].includes(kernel.status)) return {};
+  let said = "";
+  const asked = kernel.requestExecute({code: KNOWN, silent: true, store_history: false});
+  asked.onIOPub = (/** @type {any} */ { content }) => { said += content.text ?? ""; };
+  await asked.done;
+  return JSON.parse(said);
 }
 
 /** @param {any} app */
 async function begin(app) {
-    answerForComms(app.serviceManager.kernels);
-    app.commands.addCommand(FRESH, {
-        label: "Fresh copy of this lesson",
-        caption: "Opens this lesson as it was published; your copy stays, under another name",
-        isVisible: () => "content" in lessonIn(app),
-        execute: () => freshCopy(app),
-    });
-    await app.restored;
-    const told = new Set();
-    const look = () => {
-        app.commands.notifyCommandChanged(FRESH);
-        sayIfOlder(app, told);
-    };
-    app.shell.currentChanged.connect(look);
-    look();
+  answerForComms(app.serviceManager.kernels);
+  app.commands.addCommand(FRESH, {
+    label: "Fresh copy of this lesson",
+    caption: "Opens this lesson as it was published; your copy stays, under another name",
+    isVisible: () => "content" in lessonIn(app),
+    execute: () => freshCopy(app),
+  });
+  await app.restored;
+  const told = new Set();
+  const look = () => {
+    app.commands.notifyCommandChanged(FRESH);
+    sayIfOlder(app, told);
+  };
+  app.shell.currentChanged.connect(look);
+  look();
 }
 
 const waiting = setInterval(() => {
-    const app = /** @type {any} */ (window).jupyterapp;
-    if (!app) return;
-    clearInterval(waiting);
-    begin(app);
+  const app = /** @type {any} */ (window).jupyterapp;
+  if (!app) return;
+  clearInterval(waiting);
+  begin(app);
 }, 50);

@@ -166,8 +166,9 @@ function* shown(notebook) {
  * @param {any} manager
  */
 function showAgain(manager) {
-  const lost = [...document.querySelectorAll(".jp-OutputArea-output")]
-    .some((output) => output.textContent === "Error displaying widget: model not found");
+  const lost = [...document.querySelectorAll(".jp-OutputArea-output")].some((output) =>
+    output.textContent === "Error displaying widget: model not found" ||
+    output.querySelector(".kl-still"));             // labextension/ puts that into its place
   if (!lost || manager.context?.isDisposed !== false) return;
   [...shown(manager.context.model)].forEach(({ id, again }) => manager.has_model(id) && again());
 }

@@ -29,6 +29,7 @@ from .handout import FOLDER, all_notebooks, writing
 
 _HERE = Path(__file__).parent
 _KERNEL = "@jupyterlite/pyodide-kernel-extension"
+_PICTURES = _HERE.parent / "browser" / "labextension"
 # The front ends of the widgets and the kernel, and who brings them. Others that are installed here
 # are none of the course's.
 _EXTENSIONS = {"anywidget": "anywidget", "@jupyter-widgets/jupyterlab-manager":
@@ -252,8 +253,8 @@ def _run_jupyterlite(work: Path, wheels: list[Path], made: Path) -> None:
         "lite_dir": str(work), "output_dir": str(made), "apps": ["lab"],
         "contents": [str(work / "files")], "ignore_sys_prefix": True, "no_sourcemaps": True,
         "no_unused_shared_packages": True,
-        "federated_extensions": [str(_extension(name, owner))
-                                 for name, owner in _EXTENSIONS.items()]},
+        "federated_extensions": [str(_PICTURES), *(str(_extension(name, owner))
+                                                   for name, owner in _EXTENSIONS.items())]},
         "PipliteAddon": {"piplite_urls": [str(wheel) for wheel in wheels]}}
     (work / "jupyter_lite_config.json").write_text(json.dumps(config), encoding="utf-8")
     ran = subprocess.run([sys.executable, "-m", "jupyterlite_core", "build"], cwd=work,

@@ -29,7 +29,8 @@ CHROMIUM_ARGS = ["--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-
                  "--disable-background-networking", "--disable-component-update",
                  "--disable-sync"]
 START_SECONDS = 180
-EXTENSION = Path(__file__).parents[2] / "labextension"  # what kinlab adds to JupyterLab itself
+# What kinlab adds to JupyterLab itself.
+EXTENSION = Path(__file__).parents[2] / "kinlab" / "browser" / "labextension"
 
 # Without these JupyterLab asks, over the page, whether it may fetch news and updates.
 QUIET = {"@jupyterlab/apputils-extension/notification.jupyterlab-settings":

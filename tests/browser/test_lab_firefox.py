@@ -97,5 +97,17 @@ def test_a_prediction_is_judged_and_python_knows(page):
     hears(page, "prediction.answers[0].answer[:2], prediction.told.ok", ([1, 0], False))
 
 
+def test_saved_and_opened_again_a_view_moves(page, lab):
+    for last in ("commands.execute('docmanager:save')", "serviceManager.sessions.shutdownAll()"):
+        page.evaluate(f"() => jupyterapp.{last}.then(() => 0)")
+    page.open(lab.page_url("firefox.ipynb"))
+    page.wait(IDLE)
+    page.wait(ALIVE, 3)
+    page.evaluate(MARK)
+    (before, *_) = page.evaluate(ANGLES)
+    page.press("ArrowRight", on="[data-cell='0'] .kl-knob [type=range]")
+    page.wait(f"before => ({ANGLES})()[0] === before + 1", before)
+
+
 def test_nothing_went_wrong_meanwhile(page):
     assert page.logged == []

@@ -198,6 +198,12 @@ def test_a_lesson_that_is_closed_and_opened_again_still_tells_python(page, addre
     hears(page, "print(view.theta_1 > 0)", "True\n")
 
 
+def test_a_lesson_that_nobody_ran_has_pictures_with_words(page, address):
+    open_lesson(page, address, ROTATION)
+    picture = page.locator(f"{FRONT} .jp-RenderedImage img").first
+    assert picture.get_attribute("alt").startswith("Picture of ")
+
+
 def test_a_table_is_typed_and_python_has_the_arm(page, address):
     open_lesson(page, address, ROTATION)
     run(page, "setup", "import kinlab as kl\n\n"
@@ -241,6 +247,7 @@ def test_a_saved_copy_says_when_a_newer_edition_is_there(page, address, publishe
     open_lesson(page, address, ROTATION)
     assert "This is new." not in text_of_first_cell(page)
     expect(page.get_by_text("A newer version of this lesson is here.")).to_be_visible()
+    assert violations(page, ".Toastify__toast-body") == []
     page.get_by_role("button", name="Fresh copy", exact=True).click()
     page.wait_for_function("""() => jupyterapp.shell.currentWidget?.content?.model?.cells?.get(0)
         ?.sharedModel.source.includes('This is new.')""")

@@ -97,9 +97,16 @@ class Student:
 
     def back(self):
         """Open it in the same page."""
+        self.open()
+        self.page.wait_for_function(READY, arg=self.name)
+
+    def open(self):
         self.page.evaluate(
             "path => { jupyterapp.commands.execute('docmanager:open', {path}); }", self.name)
-        self.page.wait_for_function(READY, arg=self.name)
+
+    def shutdown_all(self):
+        """All kernels of the server."""
+        self.page.evaluate("jupyterapp.serviceManager.sessions.shutdownAll()")
 
     def move(self):
         """A key on a slider of the first live view."""
@@ -139,6 +146,12 @@ class Student:
         nbformat.write(notebook, self.root / self.name)
         self.back()
 
+    def trust(self):
+        """The student says that the file does no harm."""
+        self.page.evaluate(
+            f"[...{NOTEBOOK}.content.model.cells].forEach(cell => cell.trusted = true)")
+        self.save()
+
     # ---- what there is ----
 
     def file(self):
@@ -164,8 +177,9 @@ SLOW = "Error: widget model not found"
 @pytest.fixture
 def student(browser, lab, root, watched):
     page = watched(browser.new_page(viewport={"width": 1280, "height": 900}), SLOW)
-    yield Student(page, lab, root)
-    page.evaluate("jupyterapp.serviceManager.sessions.shutdownAll()")
+    student = Student(page, lab, root)
+    yield student
+    student.shutdown_all()
     page.close()
 
 
@@ -227,6 +241,7 @@ ORDERS = {  # what is done, and what is seen when the notebook is opened again
     "run shut:3 save": [*LIVE[:3], "picture", *LIVE[4:]],
     "run shut:2 save": [*LIVE[:2], "text", *LIVE[3:]],
     "run save strip": STILL,
+    "run save shutdown strip trust": STILL,
     "run save strip one:0 restart save": STILL,
 }
 
@@ -242,6 +257,18 @@ def test_opened_again_each_view_lives_or_is_its_picture(student, order):
         sizes.append((student.root / student.name).stat().st_size)
     assert_whole(student.file(), "strip" in order)
     assert max(sizes) < sizes[0] + 2_000  # one view more would be a hundred times as long
+
+
+def test_without_a_kernel_there_are_pictures(student):
+    student.do("run save away shutdown_all")
+    notebook = student.file()
+    del notebook.metadata["kernelspec"]
+    nbformat.write(notebook, student.root / student.name)
+    student.open()
+    student.page.get_by_role("button", name="No Kernel", exact=True).click()
+    assert student.seen() == STILL
+    words = student.page.locator(".jp-Cell-outputArea img").first.get_attribute("alt")
+    assert words.startswith("Picture of the arm.")
 
 
 @pytest.mark.thorough

@@ -13,6 +13,7 @@ import pytest
 
 pytestmark = pytest.mark.thorough
 ROOT = Path(__file__).parents[2]
+EXTENSION = ROOT / "kinlab" / "browser" / "labextension"
 # Stands in for JupyterLab: it says how it was started.
 LAB = """import json, os
 
@@ -85,8 +86,8 @@ def test_the_installed_package_is_the_one_in_use(scripts, here):
 
 def test_jupyterlab_finds_what_gives_pictures_their_words(scripts):
     own = scripts.parent / "share" / "jupyter" / "labextensions" / "kinlab"
-    for name in ("package.json", "static/words.js"):
-        assert (own / name).read_text("utf-8") == (ROOT / "labextension" / name).read_text("utf-8")
+    for name in ("package.json", "static/pictures.js"):
+        assert (own / name).read_bytes() == (EXTENSION / name).read_bytes()
 
 
 def test_lessons_and_solutions_are_copied_and_the_first_is_opened(kinlab, here):
