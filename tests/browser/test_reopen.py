@@ -68,7 +68,7 @@ class Student:
         run_all(self.page)
 
     def one(self, cell):
-        self.page.evaluate(f"cell => {{ {NOTEBOOK}.content.activeCellIndex = cell; }}", cell)
+        self.choose(cell)
         self.command("notebook:run-cell")
 
     def restart(self):
@@ -116,6 +116,53 @@ class Student:
         """Python closes what a cell shows."""
         names = ["view", "view", "editor", "asked", "answer", "slider"]
         run_code(self.page, f"{names[cell]}.close()")
+
+    def interrupt(self):
+        """Stop a cell that runs."""
+        self.page.evaluate(f"""() => {{ {SESSION}.session.kernel.requestExecute(
+            {{code: 'while True: pass'}}).done.catch(() => {{}}); }}""")
+        self.page.wait_for_function(f"{SESSION}.session.kernel.status === 'busy'")
+        self.page.evaluate(f"{SESSION}.session.kernel.interrupt()")
+        self.idle()
+
+    def die(self):
+        """The kernel dies, and starts anew by itself."""
+        self.page.evaluate(f"""() => {{ {SESSION}.session.kernel.requestExecute(
+            {{code: 'import os; os.kill(os.getpid(), 9)'}}).done.catch(() => {{}}); }}""")
+        self.page.get_by_role("dialog").get_by_role("button", name="Ok").click()
+        self.idle()
+
+    def rename(self):
+        new = f"renamed {self.name}"
+        (self.root / new).unlink(missing_ok=True)
+        self.page.evaluate(f"name => {NOTEBOOK}.context.rename(name)", new)
+        self.name = new
+
+    def cut(self, cell):
+        """Cut a cell out, and paste it below the first."""
+        self.choose(cell)
+        self.command("notebook:cut-cell")
+        self.choose(0)
+        self.command("notebook:paste-cell-below")
+
+    def drop(self, cell):
+        """Delete a cell, and take that back."""
+        self.choose(cell)
+        self.command("notebook:delete-cell")
+        self.command("notebook:undo-cell-action")
+
+    def choose(self, cell):
+        self.page.evaluate(f"cell => {{ {NOTEBOOK}.content.activeCellIndex = cell; }}", cell)
+
+    def elsewhere(self):
+        """Another browser runs the notebook and saves it; this one then saves over it."""
+        with self.page.context.browser.new_context() as context:
+            other = Student.__new__(Student)
+            other.__dict__ |= vars(self) | {"page": context.new_page()}
+            other.do("load run save")
+        self.page.evaluate("() => { jupyterapp.commands.execute('docmanager:save'); }")
+        self.page.get_by_role("dialog").get_by_role("button", name="Overwrite").click()
+        self.page.get_by_role("dialog").wait_for(state="detached")
 
     def double(self):
         """Duplicate the file, and go on with that."""
@@ -232,6 +279,12 @@ ORDERS = {  # what is done, and what is seen when the notebook is opened again
     "run restart paste save": LIVE,
     "run save shutdown load paste save": LIVE,
     "run shutdown save double": LIVE,
+    "run interrupt save": LIVE,
+    "run die save": LIVE,
+    "run rename restart rename save": LIVE,
+    "run save cut:0 restart save": LIVE,
+    "run drop:4 drop:0 shutdown save": LIVE,
+    "run save elsewhere save": LIVE,
     "run": BARE,
     "run clear save": BARE,
     "run save clear save": BARE,
