@@ -14,6 +14,11 @@ TEXTS = {
     "attribute in single quotes": f"' autofocus tabindex=1 onfocus={HIT} onpointerover={HIT} x='",
     "address": f"javascript:{HIT}",
     "Markdown": f"[x](javascript:{HIT}) ![y]({AWAY}) | `<b>` | **b** <{AWAY}>",
+    "Markdown spelled otherwise": f"[x](JaVaScRiPt:{HIT}) [x](java&#115;cript:{HIT}) "
+                                  f"[x](&#x6A;avascript&colon;{HIT}) <javascript:{HIT}> "
+                                  "[x](data:text/html;base64;PGI+) ![x](data:image/svg+xml;x)",
+    "HTML spelled otherwise": f"]]></ScRiPt/x></noscript></xmp>--!><sCrIpT/x>{HIT}</sCrIpT> "
+                              "&lt&#60b",
     "entities": f"&lt;img src=x onerror={HIT}&gt; &#x3c;b&#x3e; &amp;lt; &quot;",
     "template": "{{7*7}} {% raw %} {# ${" + HIT + "} #{7*7} %s %(x)s {0} {x!r}",
     "LaTeX": rf"\href{{javascript:{HIT}}}{{x}} \write18{{ls}} $\text{{<img src=x onerror={HIT}>}}$",
@@ -47,7 +52,8 @@ SEEN = f"""() => ({{
         node => node.getAttributeNames()))],
     links: [...document.querySelectorAll('[href], [src], [action], [formaction]')].flatMap(node =>
         ['href', 'src', 'action', 'formaction'].map(name => node.getAttribute(name) ?? ''))
-        .filter(link => /^\\s*(javascript|vbscript):/i.test(link) || link.startsWith('{AWAY}')),
+        .filter(link => /^\\s*(javascript:|vbscript:|data:text)/i.test(link)
+            || link.startsWith('{AWAY}')),
     handlers: [...document.querySelectorAll('*')].flatMap(node => node.getAttributeNames())
         .filter(name => name.startsWith('on') || name === 'autofocus'),
 }})"""
