@@ -72,8 +72,10 @@ def test_a_slider_by_keys_and_by_the_mouse(page):
 def test_a_link_is_dragged(page):
     run_code(page, "view.q = view.arm.home")
     page.wait(f"() => ({ANGLES})()[0] === 0")
+    page.settle()
     spot = page.middle("[data-cell='0'] #link-2-0 path")
     page.drag([spot, (spot[0], spot[1] - 20), (spot[0], spot[1] - 40)])
+    page.settle()
     value = page.evaluate(ANGLES)[1]
     assert abs(value) > 5
     hears(page, "round(view.theta_2, 1)", value)
