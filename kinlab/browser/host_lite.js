@@ -3,6 +3,7 @@
 // And an answer that its kernels owe to saved views: which of them Python knows.
 
 const FRESH = "kinlab:fresh-copy";
+const NARROW = 800;                                 // px: beside a list of files no lesson has room
 
 // The published edition of each lesson, by its path; kinlab/course/lite.py puts it into the page.
 const editions = JSON.parse(document.getElementById("kinlab-editions")?.textContent ?? "{}");
@@ -54,8 +55,8 @@ async function sayIfOlder(app, told) {
 }
 
 // Prints the views that Python knows, and leaves no name behind.
-const KNOWN = `print(__import__("json").dumps({name: {"target_name": one.target_name}
-  for name, one in __import__("comm").get_comm_manager().comms.items()}))`;
+const KNOWN = 'print(__import__("json").dumps({k: {"target_name": comm.target_name} for k, comm in '
+  + '__import__("comm").get_comm_manager().comms.items()}))';
 
 /**
  * JupyterLite's kernels leave a question for their comms without an answer, and the manager of the
@@ -82,6 +83,43 @@ async function commsOf(kernel) {
   return JSON.parse(said);
 }
 
+/**
+ * On a phone, keep the lists at the sides closed until somebody touches the page.
+ * @param {any} app
+ */
+function makeRoom({ shell }) {
+  if (innerWidth >= NARROW) return;
+  const close = () => {
+    if (!shell.leftCollapsed) shell.collapseLeft();
+    if (!shell.rightCollapsed) shell.collapseRight();
+  };
+  shell.layoutModified.connect(close);
+  addEventListener("pointerdown", () => shell.layoutModified.disconnect(close),
+                   { once: true, capture: true });
+  close();
+}
+
+/**
+ * Python takes ten seconds to start in a browser, and is downloaded at first.
+ * @param {any} app
+ */
+async function sayThatPythonStarts(app) {
+  const { context } = lessonIn(app), session = context?.sessionContext;
+  if (!session || session.session?.kernel?.status === "idle") return;
+  const id = await app.commands.execute("apputils:notify", {
+    message: "Python is starting in this browser. Read on; cells that you run wait for it.",
+    type: "in-progress",
+    options: { autoClose: false },
+  });
+  const ready = () => {
+    if (session.session?.kernel?.status !== "idle" && !session.isDisposed) return;
+    session.statusChanged.disconnect(ready);
+    app.commands.execute("apputils:dismiss-notification", { id });
+  };
+  session.statusChanged.connect(ready);
+  ready();
+}
+
 /** @param {any} app */
 async function begin(app) {
   answerForComms(app.serviceManager.kernels);
@@ -92,6 +130,8 @@ async function begin(app) {
     execute: () => freshCopy(app),
   });
   await app.restored;
+  makeRoom(app);
+  sayThatPythonStarts(app);
   const told = new Set();
   const look = () => {
     app.commands.notifyCommandChanged(FRESH);

@@ -40,8 +40,10 @@ _PACKED = ("anywidget", "comm", "ipywidgets", "jinja2", "latex2mathml", "markups
            "psygnal", "rjsmin", "sympy", "tqdm", "typing_extensions")
 # From the kernel's script, which loads them, to the folder of the site.
 _UP = "../" * (len(Path(_KERNEL).parts) + 2)
-# JupyterLab's settings: cells that are out of sight keep their views; a button for a fresh copy.
+# JupyterLab's settings: dark where the system is; cells that are out of sight keep their views; a
+# button for a fresh copy.
 _OVERRIDES = {
+    "@jupyterlab/apputils-extension:themes": {"adaptive-theme": True},
     "@jupyterlab/notebook-extension:tracker": {"windowingMode": "none"},
     "@jupyterlab/notebook-extension:panel": {"toolbar": [
         {"name": "fresh-copy", "command": "kinlab:fresh-copy", "rank": 40}]},

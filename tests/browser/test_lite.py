@@ -216,6 +216,17 @@ def test_a_table_is_typed_and_python_has_the_arm(page, address):
     assert violations(page, f"{FRONT} .kl-editor") == []
 
 
+def test_on_a_phone_the_lesson_has_the_room_and_it_is_said_that_python_starts(page, address):
+    page.set_viewport_size({"width": 390, "height": 844})
+    page.goto(f"{address}/lab/index.html?path={ROTATION}")
+    expect(page.get_by_text("Python is starting in this browser.")).to_be_visible()
+    page.wait_for_function(OPEN, arg=ROTATION)
+    expect(page.get_by_text("Python is starting in this browser.")).to_have_count(0)
+    assert page.locator(FRONT).bounding_box()["width"] > 300
+    page.get_by_role("tab", name="File Browser").click()
+    expect(page.get_by_text("07_alpha_ii.ipynb")).to_be_visible()
+
+
 def test_pictures_of_a_workspace_are_drawn(page, address):
     open_lesson(page, address, "09_workspace.ipynb")
     run_all(page)

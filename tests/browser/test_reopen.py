@@ -325,6 +325,12 @@ def test_without_a_kernel_there_are_pictures(student):
 
 
 @pytest.mark.thorough
+def test_a_closed_widget_in_a_box_leaves_pictures(student):
+    student.do("run shut:5 save load")  # ipywidgets restores nothing then
+    assert student.seen() == STILL
+
+
+@pytest.mark.thorough
 @pytest.mark.parametrize("seed", range(6))
 def test_whatever_is_done_no_view_is_lost(student, seed):
     choose, alive, done = Random(seed).choice, True, ["run"]
