@@ -34,6 +34,9 @@ SHOWN = """() => [...document.querySelectorAll('.jp-Notebook:not(.lm-mod-hidden 
     return area?.querySelector('.jp-RenderedText')?.innerText.trim() ? 'text' : 'nothing';
 })"""
 
+THERE = f"""(what, cell) => what !== 'nothing' ||
+    !{NOTEBOOK}.content.widgets[cell].model.outputs.length"""
+
 
 class Student:
     """Does in a page of JupyterLab what students do to a notebook, step by step."""
@@ -210,9 +213,8 @@ class Student:
         for cell in range(ALL):  # what is out of sight is not drawn before
             self.page.evaluate(f"""cell => {{ {NOTEBOOK}.content.activeCellIndex = cell;
                 {NOTEBOOK}.content.scrollToItem(cell); }}""", cell)
-            self.page.wait_for_function(
-                f"cell => ({SHOWN})()[cell] !== 'nothing' || "
-                f"!{NOTEBOOK}.content.widgets[cell].model.outputs.length", arg=cell)
+            self.page.wait_for_function(f"cell => ({THERE})(({SHOWN})()[cell], cell)", arg=cell)
+        self.page.wait_for_function(f"() => ({SHOWN})().slice(0, {ALL}).every({THERE})")
         return self.page.evaluate(f"({SHOWN})()")[:ALL]
 
 
