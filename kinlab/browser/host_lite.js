@@ -80,7 +80,7 @@ async function commsOf(kernel) {
   const asked = kernel.requestExecute({code: KNOWN, silent: true, store_history: false});
   asked.onIOPub = (/** @type {any} */ { content }) => { said += content.text ?? ""; };
   await asked.done;
-  return JSON.parse(said);
+  return said ? JSON.parse(said) : {};
 }
 
 /**
@@ -100,12 +100,15 @@ function makeRoom({ shell }) {
 }
 
 /**
- * Python takes ten seconds to start in a browser, and is downloaded at first.
+ * Each lesson has a Python of its own, which takes ten seconds to start; at first it is downloaded.
  * @param {any} app
+ * @param {WeakSet<any>} told the lessons of which it was said already
  */
-async function sayThatPythonStarts(app) {
+async function sayThatPythonStarts(app, told) {
   const { context } = lessonIn(app), session = context?.sessionContext;
-  if (!session || session.session?.kernel?.status === "idle") return;
+  if (!session || told.has(session)) return;
+  told.add(session);
+  if (session.session?.kernel?.status === "idle") return;
   const id = await app.commands.execute("apputils:notify", {
     message: "Python is starting in this browser. Read on; cells that you run wait for it.",
     type: "in-progress",
@@ -131,11 +134,11 @@ async function begin(app) {
   });
   await app.restored;
   makeRoom(app);
-  sayThatPythonStarts(app);
-  const told = new Set();
+  const older = new Set(), starting = new WeakSet();
   const look = () => {
     app.commands.notifyCommandChanged(FRESH);
-    sayIfOlder(app, told);
+    sayIfOlder(app, older);
+    sayThatPythonStarts(app, starting);
   };
   app.shell.currentChanged.connect(look);
   look();
