@@ -1,6 +1,4 @@
 """How the tests are graded and shared among workers (`pytest -n auto`)."""
-import os
-
 import pytest
 from xdist.scheduler import LoadFileScheduling
 
@@ -14,10 +12,6 @@ class Shared(LoadFileScheduling):
 
     def _split_scope(self, nodeid):
         return "site" if "/test_site" in nodeid else super()._split_scope(nodeid)
-
-
-def pytest_xdist_auto_num_workers():
-    return (os.cpu_count() or 1) + 1  # tests of browsers and kernels wait half of their time
 
 
 def pytest_xdist_make_scheduler(config, log):
