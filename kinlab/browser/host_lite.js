@@ -24,7 +24,7 @@ async function freshCopy(app) {
   const { path } = context;
   await context.save();
   const folder = await contents.get(path.slice(0, Math.max(0, path.lastIndexOf("/"))),
-                                      {content: true});
+                                    { content: true });
   const taken = folder.content.map((/** @type {any} */ file) => file.path);
   await contents.rename(path, freeName(path, taken));
   await app.commands.execute("docmanager:open", { path });
@@ -50,7 +50,7 @@ async function sayIfOlder(app, told) {
     message: "This is your saved copy. A newer version of this lesson is here. "
       + "A fresh copy opens it and keeps yours beside it.",
     type: "info",
-    options: {autoClose: false, actions: [{label: "Fresh copy", commandId: FRESH}]},
+    options: { autoClose: false, actions: [{ label: "Fresh copy", commandId: FRESH }] },
   });
 }
 
@@ -68,7 +68,7 @@ function answerForComms(kernels) {
   kernels.connectTo = (/** @type {any} */ options) => {
     const kernel = connect(options);
     kernel.requestCommInfo = async () =>
-      ({content: {status: "ok", comms: await commsOf(kernel)}});
+      ({ content: { status: "ok", comms: await commsOf(kernel) } });
     return kernel;
   };
 }
@@ -77,7 +77,7 @@ function answerForComms(kernels) {
 async function commsOf(kernel) {
   if (!["idle", "busy"].includes(kernel.status)) return {};
   let said = "";
-  const asked = kernel.requestExecute({code: KNOWN, silent: true, store_history: false});
+  const asked = kernel.requestExecute({ code: KNOWN, silent: true, store_history: false });
   asked.onIOPub = (/** @type {any} */ { content }) => { said += content.text ?? ""; };
   await asked.done;
   return said ? JSON.parse(said) : {};

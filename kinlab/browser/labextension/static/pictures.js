@@ -31,11 +31,11 @@
   function giveWay(node, model) {
     if (!ABSENT.test(node.textContent ?? "")) return;
     const { [PICTURE]: picture, "text/plain": text = "" } = model.data;
-    const still = document.createElement("div"), inner = document.createElement("pre");
-    inner.textContent = text;
+    const still = document.createElement("div");
     still.className = `${picture ? "jp-RenderedImage" : "jp-RenderedText"} kl-still`;
-    still.append(picture ? Object.assign(new Image(), { src: `data:${PICTURE};base64,${picture}` })
-      : inner);
+    still.append(picture
+      ? Object.assign(new Image(), { src: `data:${PICTURE};base64,${picture}` })
+      : Object.assign(document.createElement("pre"), { textContent: text }));
     node.replaceChildren(still);
     giveWords(node, model);
   }
