@@ -26,6 +26,8 @@ class Link:
     limits: tuple[float, float] | None = None
     name: str | None = None
     flip: bool = False
+    speed: float | None = None
+    acceleration: float | None = None
 
     def __post_init__(self) -> None:
         inputs.choice("kind", self.kind, KINDS)
@@ -37,6 +39,9 @@ class Link:
         if self.name is not None:
             inputs.line("name", self.name)
         object.__setattr__(self, "flip", inputs.yes_or_no("flip", self.flip))
+        for rate in ("speed", "acceleration"):
+            if (most := getattr(self, rate)) is not None:
+                object.__setattr__(self, rate, inputs.positive(rate, most))
         if self.kind == FIXED and (self.flip or self.limits):
             raise ValueError("limits, flip: a fixed row has no joint; leave them out")
 
@@ -53,7 +58,8 @@ class Link:
 
 def revolute(*positional: Any, theta: float = 0, d: float = 0, a: float = 0, alpha: float = 0,
              limits: tuple[float, float] | None = None, name: str | None = None,
-             flip: bool = False) -> Link:
+             flip: bool = False, speed: float | None = None,
+             acceleration: float | None = None) -> Link:
     """A link driven by a revolute joint: it turns about z by ``q + theta``.
 
     Parameters
@@ -72,6 +78,10 @@ def revolute(*positional: Any, theta: float = 0, d: float = 0, a: float = 0, alp
         The joint's name on the arm, such as 'shoulder'.
     flip : bool
         True for a joint that counts the other way: it turns by ``-q + theta``.
+    speed : float, optional
+        Largest rate of q either way (rad/s), where one is known: paths are held against it.
+    acceleration : float, optional
+        Largest rate of that rate either way (rad/s^2).
 
     Returns
     -------
@@ -80,7 +90,8 @@ def revolute(*positional: Any, theta: float = 0, d: float = 0, a: float = 0, alp
     Raises
     ------
     ValueError
-        If a parameter is not a finite number or the limits are reversed.
+        If a parameter is not a finite number, the limits are reversed, or a speed or an
+        acceleration is not positive.
     TypeError
         If numbers are given without their names.
 
@@ -91,15 +102,17 @@ def revolute(*positional: Any, theta: float = 0, d: float = 0, a: float = 0, alp
     'revolute'
     """
     _refuse_unnamed(REVOLUTE, positional)
-    return _in_radians(Link(REVOLUTE, theta, d, a, alpha, limits, name, flip))
+    return _in_radians(Link(REVOLUTE, theta, d, a, alpha, limits, name, flip, speed, acceleration))
 
 
 def prismatic(*positional: Any, theta: float = 0, d: float = 0, a: float = 0, alpha: float = 0,
               limits: tuple[float, float] | None = None, name: str | None = None,
-              flip: bool = False) -> Link:
+              flip: bool = False, speed: float | None = None,
+              acceleration: float | None = None) -> Link:
     """A link driven by a prismatic joint: it slides along z by ``q + d``.
 
-    Parameters are those of `revolute`; here `d` is the joint's offset and `limits` are lengths.
+    Parameters are those of `revolute`; here `d` is the joint's offset, and `limits`, `speed` and
+    `acceleration` are lengths, also per second and per second squared.
 
     Examples
     --------
@@ -108,7 +121,7 @@ def prismatic(*positional: Any, theta: float = 0, d: float = 0, a: float = 0, al
     (0.0, 0.4)
     """
     _refuse_unnamed(PRISMATIC, positional)
-    return _in_radians(Link(PRISMATIC, theta, d, a, alpha, limits, name, flip))
+    return _in_radians(Link(PRISMATIC, theta, d, a, alpha, limits, name, flip, speed, acceleration))
 
 
 def fixed(*positional: Any, theta: float = 0, d: float = 0, a: float = 0, alpha: float = 0,

@@ -37,6 +37,22 @@ def test_a_link_is_zero_and_unlimited_unless_told(make):
     assert link == kl.Link(link.kind)
 
 
+@pytest.mark.parametrize("make", [kl.revolute, kl.prismatic])
+def test_a_joint_may_say_how_fast_it_goes(make):
+    assert (make().speed, make().acceleration) == (None, None)
+    link = make(speed=2, acceleration=5.5)
+    assert (link.speed, link.acceleration) == (2.0, 5.5)
+    arm = kl.to_modified(kl.Arm([link, make(a=1)]))
+    assert (arm.links[0].speed, arm.links[0].acceleration) == (2.0, 5.5)
+
+
+@pytest.mark.parametrize("rate", ["speed", "acceleration"])
+@pytest.mark.parametrize("wrong", [0, -1, float("inf"), "fast"])
+def test_a_joint_that_goes_no_way_is_refused(rate, wrong):
+    with pytest.raises(ValueError, match=rf"^{rate}: expected"):
+        kl.revolute(**{rate: wrong})
+
+
 def test_an_arm_stands_at_the_origin_with_zero_home_unless_told():
     arm = kl.Arm(kl.revolute() for _ in range(3))
     assert (arm.n, arm.convention, arm.name, arm.unit) == (3, "standard", "", "m")
