@@ -3,10 +3,11 @@
 import { make, number, rewrite } from "./dom.js";
 import { ROTATE, roomPoint, travel } from "./frames.js";
 import { clip } from "./steps.js";
+import { turnedAs } from "./turned.js";
 import { dot, minus, norm } from "./vectors.js";
 
 /** @import { Amount, Distance, Elementary, Entry, Frame, Part, Pose, Scene } from "./types.js" */
-/** @import { Solved, TargetScene, Vector, Volume } from "./types.js" */
+/** @import { Solved, TargetScene, Turned, Vector, Volume } from "./types.js" */
 
 /**
  * What explains a column where it stands, if that is one word.
@@ -55,6 +56,7 @@ export function poseTable(pose) {
  * @param {Scene["motions"]} motions
  */
 function quantityOf(part, motions) {
+  if (part.kind === "angle" || part.kind === "rpy") return "kl-of-angle";
   if (part.kind !== "amount") return "";
   return motions[part.step - 1].kind === ROTATE ? "kl-of-angle" : "kl-of-length";
 }
@@ -97,8 +99,11 @@ export function readingLines({ readings, decimals, motions }) {
   /** @type {(part: Entry, all: Frame[], q: number[]) => string} */
   const entry = ({ knob, texts }, all, q) =>
     texts[clip(Math.round(q[knob]), 0, texts.length - 1)];
+  /** @type {(part: Turned, all: Frame[], q: number[]) => string} */
+  const turn = (part, all, q) => turnedAs(part, { motions, all, q }, decimals);
   /** @type {Record<Part["kind"], (part: any, all: Frame[], q: number[]) => string>} */
-  const readers = { vector, distance, amount, volume, entry };
+  const readers = { vector, distance, amount, volume, entry,
+                    quaternion: turn, axis: turn, angle: turn, rpy: turn };
   /** @type {(all: Frame[], q: number[]) => string[]} */
   const read = (all, q) => spans.map(([, part]) => readers[part.kind](part, all, q));
   const entries = spans.map(([span]) => span);

@@ -106,7 +106,9 @@ export interface Distance { kind: "distance"; tail: Point; head: Point }
 export interface Amount { kind: "amount"; step: number }
 export interface Volume { kind: "volume"; ellipsoid: number; size: number; scale: number }
 export interface Entry { kind: "entry"; knob: number; texts: string[] }
-export type Part = Vector | Distance | Amount | Volume | Entry;
+/** How a frame is turned from the room. */
+export interface Turned { kind: "quaternion" | "axis" | "angle" | "rpy"; frame: number }
+export type Part = Vector | Distance | Amount | Volume | Entry | Turned;
 
 /** A formula under the picture: words before, between and after its parts. */
 export interface Reading {

@@ -9,6 +9,7 @@ from typing import ClassVar
 import numpy as np
 
 from ..arms.motions import ROTATE, Numbers
+from .turned import axis_and_angle, followed, roll_pitch_yaw
 
 Point = tuple[int, float, float, float]
 
@@ -94,7 +95,54 @@ class Entry(_Part):
         return self.texts[min(max(round(q[self.knob]), 0), len(self.texts) - 1)]
 
 
-Part = Vector | Distance | Amount | Volume | Entry
+@dataclass(frozen=True)
+class Turned(_Part):
+    """How a frame is turned from the room: its unit quaternion (w, x, y, z).
+
+    No sign jumps while a knob moves; see `turned.followed`.
+    """
+
+    kind = "quaternion"
+    frame: int
+
+    def read(self, motions: Sequence, frames: np.ndarray, q: Numbers) -> np.ndarray | str:
+        return followed(motions, self.frame, q)
+
+
+@dataclass(frozen=True)
+class TurnAxis(Turned):
+    """The axis of the one turn that leads from the room to a frame, of length 1."""
+
+    kind = "axis"
+
+    def read(self, motions: Sequence, frames: np.ndarray, q: Numbers) -> np.ndarray | str:
+        axis, _ = axis_and_angle(followed(motions, self.frame, q))
+        return "any axis" if axis is None else axis
+
+
+@dataclass(frozen=True)
+class TurnAngle(Turned):
+    """Its angle about that axis, in degrees from 0 to 360."""
+
+    kind = "angle"
+
+    def read(self, motions: Sequence, frames: np.ndarray, q: Numbers) -> np.ndarray | str:
+        return np.array([axis_and_angle(followed(motions, self.frame, q))[1]])
+
+
+@dataclass(frozen=True)
+class RollPitchYaw(Turned):
+    """Roll, pitch and yaw of a frame in degrees, read off its axes; what is left where pitch = 90°.
+    """
+
+    kind = "rpy"
+
+    def read(self, motions: Sequence, frames: np.ndarray, q: Numbers) -> np.ndarray | str:
+        return roll_pitch_yaw(frames[self.frame][:3, :3])
+
+
+Part = Vector | Distance | Amount | Volume | Entry | Turned
+TURNS = {part.kind for part in (Turned, TurnAxis, TurnAngle, RollPitchYaw)}
 
 
 @dataclass(frozen=True)

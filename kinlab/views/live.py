@@ -16,6 +16,7 @@ from ..arms.motions import Numbers
 from ..browser import bundle, page
 from ..drawing import worker
 from ..drawing.controls import Knob, decimals
+from ..drawing.readings import TURNS
 from ..drawing.scene import CLOUD, SOLIDS, Scene
 from .folding import is_folded
 
@@ -196,8 +197,10 @@ class LiveView(anywidget.AnyWidget):
     def _without(self) -> list[str]:
         """Modules that a page of this view alone can do without."""
         shapes = {item.shape for item in self._scene.items}
-        return (["chart.js"] if self._scene.chart is None else []) + \
-            (["cloud.js"] if CLOUD not in shapes else [])
+        kinds = {part.kind for reading in self._scene.readings for part in reading.parts}
+        needed = {"chart.js": self._scene.chart is not None, "cloud.js": CLOUD in shapes,
+                  "turned.js": bool(kinds & TURNS)}
+        return [module for module, wanted in needed.items() if not wanted]
 
     def html(self, *, address: bool = False) -> str:
         """The view as a piece of a page that has kinlab's script and style (`bundle`)."""

@@ -13,6 +13,7 @@ import numpy as np
 from camera_fixtures import framings, orders
 from ground_fixtures import floor, labels
 from study_fixtures import charts, cloud, curves
+from turned_fixtures import turned
 
 import kinlab as kl
 from kinlab.arms.motions import ROTATE, TRANSLATE
@@ -197,7 +198,7 @@ def _plain(face: Face) -> dict:
 
 FIXTURES = {"frames": frames, "numbers": numbers, "solids": solids, "labels": labels,
             "floor": floor, "camera": framings, "order": orders, "chart": charts,
-            "curves": curves, "cloud": cloud}
+            "curves": curves, "cloud": cloud, "turned": turned}
 
 
 def path(name: str) -> Path:

@@ -148,3 +148,4 @@ def test_a_page_has_no_module_that_its_view_does_without(tmp_path):
         kl.solve_view(kl.robots.two_link(), [1, 1, 0]), tmp_path)
     assert "class Chart" not in arm and "class Cloud" not in arm
     assert "class Chart" in solve and "class Cloud" not in solve
+    assert "any axis" not in arm and "any axis" not in solve  # how a frame is turned
