@@ -17,10 +17,17 @@ def every(step, cases, ids=None):
     return [_graded(k % step == 0, name, case) for k, (name, case) in enumerate(zip(ids, cases))]
 
 
-def crossed(rows, columns):
-    """Each row with each column. By the README's command each row once, with columns in turn."""
-    return [_graded((i + j) % len(columns) == 0, f"{row}-{column}", row, column)
+def crossed(rows, columns, rare=()):
+    """Each row with each column. By the README's command each row once, with columns in turn, but
+    for the rare ones.
+    """
+    return [_graded((i + j) % len(columns) == 0 and row not in rare, f"{row}-{column}", row, column)
             for (i, row), (j, column) in product(enumerate(rows), enumerate(columns))]
+
+
+def common(cases, rare):
+    """Parameters of a dictionary's cases; the rare ones are thorough."""
+    return [_graded(name not in rare, name, case) for name, case in cases.items()]
 
 
 def _graded(ordinary, name, *values):

@@ -1,9 +1,12 @@
-"""A view of every kind that the lessons show, by a short name."""
+"""A view of every kind that the lessons show, and of every arm, by a short name."""
 import kinlab as kl
 
 LESSONS = kl.lessons
 ARMS = [kl.robots.two_link, kl.robots.practical_six_link, kl.robots.cylindrical,
         kl.robots.exam_2018, kl.robots.alpha_ii, kl.robots.intelledex_660t]
+KNOWN = [kl.robots.puma_560_craig, kl.robots.stanford, kl.robots.panda, kl.robots.puma_560,
+         kl.robots.scara, kl.robots.ur5, kl.robots.kr210]
+RARE = {"puma_560", "scara", "ur5", "kr210"}  # much like others: seen by the thorough tests alone
 EXAM = [-0.35, -0.6, 0.4]
 VIEWS = {robot.__name__: lambda robot=robot: kl.ArmView(
     robot(), closed_form=True, show=("frames", "labels", "axes")) for robot in ARMS} | {
@@ -52,4 +55,5 @@ VIEWS = {robot.__name__: lambda robot=robot: kl.ArmView(
     "velocity": lambda: kl.velocity_view(kl.robots.intelledex_660t()),
     "solve": lambda: kl.solve_view(kl.robots.two_link(), [0.5, 0.5, 0],
                                    weights=[1, 1, 0]),
-}
+} | {robot.__name__: lambda robot=robot: kl.ArmView(
+    robot(), show=("frames", "labels", "axes")) for robot in KNOWN}

@@ -70,10 +70,14 @@ def test_the_reference_has_every_public_name(name):
     assert listed().count(name) == 1
 
 
-def test_the_reference_has_every_arm_of_the_course_and_the_check():
-    robots = {f"robots.{name}" for name, made in vars(kl.robots).items()
-              if getattr(made, "__module__", "") == kl.robots.__name__ and name[0] != "_"}
-    assert len(robots) >= 6 and {*robots, "exercises.check"} <= set(listed())
+def test_the_reference_and_the_readme_have_every_arm_and_the_check():
+    made = {name for name, maker in vars(kl.robots).items() if name[0] != "_" and getattr(
+        maker, "__annotations__", {}).get("return") == "Arm"}
+    assert len(made) >= 13 and made == set(kl.robots.__all__)
+    assert {*(f"robots.{name}" for name in made), "exercises.check"} <= set(listed())
+    rows = re.findall(r"^\| `(\w+)` \|", (ROOT / "README.md").read_text(encoding="utf-8"),
+                      re.MULTILINE)
+    assert made == set(rows)
 
 
 def listed():

@@ -1,18 +1,30 @@
-"""The arms of the course, each with its source, unit and home.
+"""The arms that kinlab has: those of the course here, those that people know beside it.
 
-Tables are as the course prints them; where it prints no number, the choice made here is named.
-Joint limits are generous and illustrative: no reliable ones were found.
+Tables of the course's arms are as the course prints them; where it prints no number, the choice
+made here is named. Their joint limits are generous and illustrative: no reliable ones were found.
 """
 from __future__ import annotations
-
-from math import pi, radians
 
 import numpy as np
 
 from .arm import Arm
+from .known_robots import (
+    RIGHT,
+    between,
+    kr210,
+    panda,
+    puma_560,
+    puma_560_craig,
+    scara,
+    stanford,
+    ur5,
+)
 from .link import prismatic, revolute
+from .transforms import translation
 
-RIGHT = pi / 2
+__all__ = ["alpha_ii", "cylindrical", "exam_2018", "intelledex_660t", "kr210", "panda",
+           "practical_six_link", "puma_560", "puma_560_craig", "scara", "stanford", "two_link",
+           "ur5"]
 
 
 def two_link() -> Arm:
@@ -28,7 +40,7 @@ def two_link() -> Arm:
     'modified'
     """
     return Arm([revolute(name="shoulder"), revolute(a=1, name="elbow")], convention="modified",
-               name="Two-link", unit="m", tool=_slide(x=1), home=np.radians([30, 45]))
+               name="Two-link", unit="m", tool=translation([1, 0, 0]), home=np.radians([30, 45]))
 
 
 def practical_six_link() -> Arm:
@@ -46,7 +58,7 @@ def practical_six_link() -> Arm:
     links = [revolute(), revolute(alpha=RIGHT, d=-0.5), revolute(a=0.5),
              revolute(alpha=-RIGHT, d=1), revolute(alpha=RIGHT), revolute(alpha=-RIGHT)]
     return Arm(links, convention="modified", name="Practical 3 six-link", unit="m",
-               tool=_slide(z=1), home=np.radians([0, 90, -90, 0, 0, 0]))
+               tool=translation([0, 0, 1]), home=np.radians([0, 90, -90, 0, 0, 0]))
 
 
 def cylindrical() -> Arm:
@@ -95,11 +107,11 @@ def alpha_ii() -> Arm:
     >>> alpha_ii().links[4].d
     129.5
     """
-    links = [revolute(d=215, alpha=-RIGHT, limits=_either_way(150), name="base"),
-             revolute(a=177.8, limits=_either_way(120), name="shoulder"),
-             revolute(a=177.8, limits=_either_way(135), name="elbow"),
-             revolute(alpha=-RIGHT, limits=_either_way(135), name="tool pitch"),
-             revolute(d=129.5, limits=_either_way(180), name="tool roll")]
+    links = [revolute(d=215, alpha=-RIGHT, limits=between(-150, 150), name="base"),
+             revolute(a=177.8, limits=between(-120, 120), name="shoulder"),
+             revolute(a=177.8, limits=between(-135, 135), name="elbow"),
+             revolute(alpha=-RIGHT, limits=between(-135, 135), name="tool pitch"),
+             revolute(d=129.5, limits=between(-180, 180), name="tool roll")]
     return Arm(links, name="Alpha II", unit="mm", home=np.radians([0, 0, 0, -90, 0]))
 
 
@@ -122,12 +134,3 @@ def intelledex_660t() -> Arm:
              revolute(alpha=RIGHT, name="tool pitch"), revolute(d=228.6, name="tool roll")]
     return Arm(links, name="Intelledex 660T", unit="mm", home=np.radians([90, -90, 90, 0, 90, 0]))
 
-
-def _either_way(degrees: float) -> tuple[float, float]:
-    return -radians(degrees), radians(degrees)
-
-
-def _slide(x: float = 0, z: float = 0) -> np.ndarray:
-    tool = np.eye(4)
-    tool[[0, 2], 3] = x, z
-    return tool

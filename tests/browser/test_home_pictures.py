@@ -1,7 +1,7 @@
 """Every view of the lessons as it is seen first: letters one can read, no name on another."""
 import pytest
 from grades import crossed
-from lesson_views import VIEWS
+from lesson_views import RARE, VIEWS
 from measured import DRAWN, MEASURE
 
 SMALLEST, WIDTHS = 12, {390: 844, 1280: 800}
@@ -26,7 +26,7 @@ def measured(browser, tmp_path_factory):
     page.close()
 
 
-@pytest.mark.parametrize("name, width", crossed(VIEWS, WIDTHS))
+@pytest.mark.parametrize("name, width", crossed(VIEWS, WIDTHS, RARE))
 def test_a_view_can_be_read_at_home(measured, name, width):
     seen = measured(name, width)
     assert seen["overlap"] == ""

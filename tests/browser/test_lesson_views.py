@@ -4,7 +4,7 @@ import re
 import numpy as np
 import pytest
 from grades import crossed
-from lesson_views import VIEWS
+from lesson_views import RARE, VIEWS
 from painted import STYLE, assert_same_view
 from plain import MOUNT
 from reading import SETTLE
@@ -18,7 +18,7 @@ def styled(blank):
     return blank
 
 
-@pytest.mark.parametrize("name, share", crossed(VIEWS, [0.31, 0.77]))
+@pytest.mark.parametrize("name, share", crossed(VIEWS, [0.31, 0.77], RARE))
 def test_a_lessons_view_moves_as_python_says(styled, name, share):
     view = VIEWS[name]()
     scene = view._scene

@@ -7,7 +7,8 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from lesson_views import VIEWS
+from grades import common
+from lesson_views import RARE, VIEWS
 from markup import Reader
 from PIL import Image
 
@@ -24,7 +25,7 @@ def state(text):
     return json.loads(Reader(text).scripts[0])
 
 
-@pytest.mark.parametrize("make", VIEWS.values(), ids=VIEWS)
+@pytest.mark.parametrize("make", common(VIEWS, RARE))
 def test_every_view_of_the_course_is_one_small_whole_page(make, tmp_path):
     text = write(make(), tmp_path)
     assert len(text.encode()) < 200_000

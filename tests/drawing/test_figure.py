@@ -7,7 +7,8 @@ import sys
 import matplotlib
 import numpy as np
 import pytest
-from lesson_views import VIEWS
+from grades import common
+from lesson_views import RARE, VIEWS
 from matplotlib.backends.backend_svg import RendererSVG
 from matplotlib.transforms import IdentityTransform
 from PIL import Image
@@ -66,7 +67,7 @@ def test_every_mark_is_drawn_in_a_group_with_its_name(robot):
     assert [count for _, count in groups.found] == full
 
 
-@pytest.mark.parametrize("make", VIEWS.values(), ids=VIEWS)
+@pytest.mark.parametrize("make", common(VIEWS, RARE))
 def test_still_pictures_of_lessons_are_small(make):
     scene = make()._scene
     fig = figure.figure(scene, scene.begin, show=scene.shown)
