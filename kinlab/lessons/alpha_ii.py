@@ -192,22 +192,31 @@ _JOINT_HINTS = {
 TOUCH = 0.5
 
 
-def _on_the_table(q: np.ndarray) -> str:
-    z = kinematics.forward_kinematics(_ALPHA_II, q)[2, 3]
+def _on_the_table(height: float, q: np.ndarray) -> str:
+    z = kinematics.forward_kinematics(_ALPHA_II, q)[2, 3] - height
     side = "above" if z > 0 else "below"
     return "" if abs(z) <= TOUCH else (f"The tool points straight down, but its tip is "
                                        f"{abs(z):.4g} mm {side} the table; {TOUCH} mm is allowed.")
 
 
 _DOWN = straight_down(_ALPHA_II)
-_TABLE = (within_limits(_ALPHA_II), _DOWN, _on_the_table)
-_TABLE_SLIPS = [
-    degrees_slip(_TABLE),
-    ("It points straight up.", lambda q: not _DOWN(q + [0, 0, 0, pi, 0])),
-    ("It is the wrist that touches the table: the tip is d5 = 129.5 mm farther on.",
-     lambda q: abs(kinematics.link_frames(_ALPHA_II, q)[3, 2, 3]) <= TOUCH),
-    ("The sign of theta_4 is wrong.", lambda q: meet(_TABLE, q * [1, 1, 1, -1, 1])),
-]
+
+
+def table_judge(height: float) -> Judge:
+    """Judge of joint values with the tool straight down on a table of that height (mm)."""
+    conditions = (within_limits(_ALPHA_II), _DOWN, partial(_on_the_table, height))
+    slips = [
+        degrees_slip(conditions),
+        ("It points straight up.", lambda q: not _DOWN(q + [0, 0, 0, pi, 0])),
+        ("It is the wrist that touches the table: the tip is d5 = 129.5 mm farther on.",
+         lambda q: abs(kinematics.link_frames(_ALPHA_II, q)[3, 2, 3] - height) <= TOUCH),
+        ("The sign of theta_4 is wrong.", lambda q: meet(conditions, q * [1, 1, 1, -1, 1])),
+    ]
+    return one_of_many(
+        one_pose(_ALPHA_II), conditions, slips=slips,
+        praise="Straight down, on the table and inside the limits. This is one of many answers: "
+               "two conditions leave three of the five joints free.")
+
 
 JUDGES: dict[str, Judge] = {
     "alpha_ii.1": function(
@@ -223,8 +232,5 @@ JUDGES: dict[str, Judge] = {
         _CHANGES, {1, 2, 3, 4, 5}, _JOINT_HINTS,
         praise="The height needs the three parallel joints, the direction adds the base, and "
                "only the full orientation feels the roll."),
-    "alpha_ii.4": one_of_many(
-        one_pose(_ALPHA_II), _TABLE, slips=_TABLE_SLIPS,
-        praise="Straight down, on the table and inside the limits. This is one of many answers: "
-               "two conditions leave three of the five joints free."),
+    "alpha_ii.4": table_judge(0),
 }

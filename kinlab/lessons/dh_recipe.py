@@ -540,18 +540,24 @@ _REVERSED = [("The factors stand in the wrong order: H_2^0 is A_1 times A_2.",
 
 # ---- Exercise 6: parameters from a matrix ---------------------------------------------
 
-_MEASURED = np.array([radians(150), 0.3, -0.5, radians(-60)])
-_MEASURE_SLIPS = [
-    ("The angles are in degrees; give radians.", np.degrees(_MEASURED) * [1, 0, 0, 1]
-     + _MEASURED * [0, 1, 1, 0]),
-    ("a is a signed length: O_i lies against x_i here.", np.abs(_MEASURED) * [1, 1, 1, -1]),
-    ("A tangent leaves two quadrants open: np.arctan2 takes sine and cosine.",
-     _MEASURED - [pi, 0, 0, 0]),
-    ("theta would fit the origin, but not the x axis: column 1 is (cos theta, sin theta, 0).",
-     [radians(-30), 0.3, 0.5, radians(-60)]),
-    ("The sign of alpha is wrong: sin alpha stands in row 3, column 2.", _MEASURED * [1, 1, 1, -1]),
-    ("d and a have changed places.", _MEASURED[[0, 2, 1, 3]]),
-]
+
+def lost_row_judge(theta: float, d: float, a: float, alpha: float) -> Judge:
+    """Judge of a row, angles in degrees here, with theta beyond 90° and a below 0."""
+    row = np.array([radians(theta), d, a, radians(alpha)])
+    slips = [
+        ("The angles are in degrees; give radians.", [theta, d, a, alpha]),
+        ("a is a signed length: O_i lies against x_i here.", row * [1, 1, -1, 1]),
+        ("A tangent leaves two quadrants open: np.arctan2 takes sine and cosine.",
+         row - [pi, 0, 0, 0]),
+        ("theta would fit the origin, but not the x axis: column 1 is (cos theta, sin theta, 0).",
+         row * [1, 1, -1, 1] - [pi, 0, 0, 0]),
+        ("The sign of alpha is wrong: sin alpha stands in row 3, column 2.", row * [1, 1, 1, -1]),
+        ("d and a have changed places.", row[[0, 2, 1, 3]]),
+    ]
+    return values(row, entry=lambda index: _COLUMNS[index[0]], slips=slips,
+                  angles=[True, False, False, True],
+                  praise="Four numbers out, and the four motions lead back to the same matrix.")
+
 
 # ---- Exercise 7: frames of one's own ----------------------------------------------------
 
@@ -610,9 +616,6 @@ JUDGES: dict[str, Judge] = {
     "dh_recipe.5": _matrix_judge(
         slice(0, 2), "Column 4 is the elbow, column 3 the direction in which joint 3 will slide.",
         _REVERSED),
-    "dh_recipe.6": values(
-        _MEASURED, entry=lambda index: _COLUMNS[index[0]], slips=_MEASURE_SLIPS,
-        angles=[True, False, False, True],
-        praise="Four numbers out, and the four motions lead back to the same matrix."),
+    "dh_recipe.6": lost_row_judge(150, 0.3, -0.5, -60),
     "dh_recipe.7": _frames,
 }

@@ -3,7 +3,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from functools import partial
-from math import cos, degrees, pi, sin
+from math import cos, degrees, pi, radians, sin
 
 import numpy as np
 
@@ -106,7 +106,7 @@ _HINTS = {
 
 # ---- Exercise 4: yaw ----------------------------------------------------------------------------
 
-_WRIST_HOME, _LEFT = np.array([609.6, 0.0, 373.4]), np.array([cos(pi / 4), sin(pi / 4), 0.0])
+_WRIST_HOME = np.array([609.6, 0.0, 373.4])
 
 
 def _wrist_stays(q: np.ndarray) -> str:
@@ -114,30 +114,41 @@ def _wrist_stays(q: np.ndarray) -> str:
     return f"The wrist is {away:.4g} mm away from (609.6, 0, 373.4)." if away > 0.1 else ""
 
 
-def _points_left(q: np.ndarray) -> str:
+def _points(q: np.ndarray, wanted: np.ndarray) -> bool:
+    """Whether the wrist is in place and the tool points there."""
     a = kinematics.forward_kinematics(_ARM, q)[:3, 2]
-    angle = degrees(np.arctan2(np.linalg.norm(np.cross(a, _LEFT)), a @ _LEFT))
+    return not _wrist_stays(q) and np.allclose(a, wanted, atol=1e-4)
+
+
+def _points_left(yaw: float, q: np.ndarray) -> str:
+    a, left = kinematics.forward_kinematics(_ARM, q)[:3, 2], _level(yaw)
+    angle = degrees(np.arctan2(np.linalg.norm(np.cross(a, left)), a @ left))
     return (f"The approach vector is ({a[0]:.3f}, {a[1]:.3f}, {a[2]:.3f}), {angle:.4g}° away from "
-            "45° to the left." if angle > 0.01 else "")
+            f"{yaw}° to the left." if angle > 0.01 else "")
 
 
-def _points_right(q: np.ndarray) -> bool:
-    a = kinematics.forward_kinematics(_ARM, q)[:3, 2]
-    return not _wrist_stays(q) and np.allclose(a, _LEFT * [1, -1, 1], atol=1e-4)
+def _level(yaw: float) -> np.ndarray:
+    return np.array([cos(radians(yaw)), sin(radians(yaw)), 0.0])
 
 
-_YAW = (_wrist_stays, _points_left)
-_YAW_SLIPS = [
-    degrees_slip(_YAW, 4 * pi),
-    ("It points 45° to the right; joint 5 turns the other way.", _points_right),
-    ("The tool is still in line with the forearm, as it is at theta_5 = 90°. Bend it from there.",
-     lambda q: not _wrist_stays(q) and np.allclose(
-         kinematics.forward_kinematics(_ARM, q)[:3, 2], [1, 0, 0], atol=1e-4)),
-    ("Without a roll of the shoulder the tool can only nod up and down.",
-     lambda q: not _wrist_stays(q) and abs(cos(q[1])) < 1e-6),
-    ("Turning the base swings the whole arm. The wrist has to stay.",
-     lambda q: not np.allclose(q[0], pi / 2)),
-]
+def yaw_judge(yaw: int) -> Judge:
+    """Judge of joint values that yaw the tool to the left (degrees) while the wrist stays."""
+    conditions = (_wrist_stays, partial(_points_left, yaw))
+    slips = [
+        degrees_slip(conditions, 4 * pi),
+        (f"It points {yaw}° to the right; joint 5 turns the other way.",
+         lambda q: _points(q, _level(-yaw))),
+        ("The tool is still in line with the forearm, as it is at theta_5 = 90°. Bend it from "
+         "there.", lambda q: _points(q, _level(0))),
+        ("Without a roll of the shoulder the tool can only nod up and down.",
+         lambda q: not _wrist_stays(q) and abs(cos(q[1])) < 1e-6),
+        ("Turning the base swings the whole arm. The wrist has to stay.",
+         lambda q: not np.allclose(q[0], pi / 2)),
+    ]
+    return one_of_many(
+        one_pose(_ARM), conditions, slips=slips,
+        praise="A pitch joint has yawed the tool, and the wrist has not moved.")
+
 
 JUDGES: dict[str, Judge] = {
     "intelledex.1": table(
@@ -150,7 +161,5 @@ JUDGES: dict[str, Judge] = {
     "intelledex.3": choices(
         _CHANGES, set(range(1, 7)), _HINTS,
         praise="The wrist needs four joints, so no three joints place it."),
-    "intelledex.4": one_of_many(
-        one_pose(_ARM), _YAW, slips=_YAW_SLIPS,
-        praise="A pitch joint has yawed the tool, and the wrist has not moved."),
+    "intelledex.4": yaw_judge(45),
 }

@@ -2,6 +2,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import partial
 from math import degrees
 
 import numpy as np
@@ -189,15 +190,12 @@ _MOVER_HINTS = {
 
 # ---- Exercise 4: two ways to one point ----------------------------------------------------
 
-POINT = np.array([1.2, 0.9])
-
-
 _pair = exactly((2, 2), "two rows of two joint values")
 
 
-def _both_reach(pair: np.ndarray) -> str:
+def _both_reach(point: np.ndarray, pair: np.ndarray) -> str:
     for row, q in zip(("first", "second"), pair):
-        miss = float(np.linalg.norm(_tool(q) - POINT))
+        miss = float(np.linalg.norm(_tool(q) - point))
         if miss > 1e-3:
             return f"With the {row} joint values the tool misses the point by {miss:.3g} m."
     return ""
@@ -207,11 +205,6 @@ def _on_both_sides(pair: np.ndarray) -> str:
     one, two = np.sin(pair[:, 1])
     return "" if one * two < 0 else ("Both reach the point, but with the elbow on the same side: "
                                      "the second should bend the other way.")
-
-
-def _either(change: Callable[[np.ndarray], np.ndarray]) -> Callable[[np.ndarray], bool]:
-    """Whether the pair is right after a change."""
-    return lambda pair: meet((_both_reach, _on_both_sides), change(pair))
 
 
 def _with_relative_elbow(pair: np.ndarray) -> np.ndarray:
@@ -228,61 +221,87 @@ def _other_elbow(pair: np.ndarray) -> bool:
     return np.isclose(pair[0, 0], pair[1, 0]) and np.isclose(pair[0, 1], -pair[1, 1])
 
 
-_PAIR_SLIPS = [
-    degrees_slip((_both_reach,), subject="These", hint="write np.radians([...])"),
-    ("Bending the elbow the other way moves the tool, unless joint 1 turns as well.", _other_elbow),
-    ("Rows and columns have changed places: each row is one answer, (theta_1, theta_2).",
-     _either(np.transpose)),
-    ("theta_1 comes first in each row, then theta_2.", _either(lambda pair: pair[:, ::-1])),
-    ("The elbow bends to the wrong side: with theta_2 above 0 link 1 lies below the line to the "
-     "point.", _either(lambda pair: pair * [1, -1])),
-    ("Link 1 is half the bend away from the line to the point, for the links are equally long.",
-     _either(_halved)),
-    ("theta_2 is counted from link 1, not from the x axis.", _either(_with_relative_elbow)),
-    ("That is the angle between the links. theta_2 is what is missing to a straight arm.",
-     _either(lambda pair: np.column_stack([pair[:, 0], np.sign(pair[:, 1]) * np.pi - pair[:, 1]]))),
-]
+def _supplements(pair: np.ndarray) -> np.ndarray:
+    return np.column_stack([pair[:, 0], np.sign(pair[:, 1]) * np.pi - pair[:, 1]])
+
+
+def both_ways_judge(x: float, y: float) -> Judge:
+    """Judge of both poses of the two-link arm that reach a point (m)."""
+    point = np.array([x, y])
+    conditions = (partial(_both_reach, point), _on_both_sides)
+
+    def after(change: Callable[[np.ndarray], np.ndarray]) -> Callable[[np.ndarray], bool]:
+        """Whether the pair is right after a change."""
+        return lambda pair: meet(conditions, change(pair))
+
+    slips = [
+        degrees_slip(conditions[:1], subject="These", hint="write np.radians([...])"),
+        ("Bending the elbow the other way moves the tool, unless joint 1 turns as well.",
+         _other_elbow),
+        ("Rows and columns have changed places: each row is one answer, (theta_1, theta_2).",
+         after(np.transpose)),
+        ("theta_1 comes first in each row, then theta_2.", after(lambda pair: pair[:, ::-1])),
+        ("The elbow bends to the wrong side: with theta_2 above 0 link 1 lies below the line to "
+         "the point.", after(lambda pair: pair * [1, -1])),
+        ("Link 1 is half the bend away from the line to the point, for the links are equally long.",
+         after(_halved)),
+        ("theta_2 is counted from link 1, not from the x axis.", after(_with_relative_elbow)),
+        ("That is the angle between the links. theta_2 is what is missing to a straight arm.",
+         after(_supplements)),
+    ]
+    away = float(np.hypot(x, y))
+    return one_of_many(
+        _pair, conditions, slips=slips, noun="two pairs of joint values",
+        praise=f"One point, two arms. Its distance is {away:.4g} m, so the elbow is bent by "
+               f"{degrees(np.arccos(away ** 2 / 2 - 1)):.2f}° to one side or the other.")
+
 
 # ---- Exercise 5: the Alpha II from above --------------------------------------------------
 
-# mm. From soft home a search for the mere point ends with the tool 39° from straight down, so the
-# exercise tells a target that is a point from one that is a pose.
-PLACE = np.array([120.0, 100.0, 40.0])
 NEAR = 0.5  # mm, as near as sliders bring it that stop at tenths of a degree
 
 
-def _there(q: np.ndarray) -> str:
-    miss = float(np.linalg.norm(kinematics.forward_kinematics(_ALPHA_II, q)[:3, 3] - PLACE))
-    return "" if miss <= NEAR else (f"The tip is {miss:.4g} mm from the part at (120, 100, 40); "
-                                    f"{NEAR} mm is allowed.")
+def _away(q: np.ndarray, point: np.ndarray) -> float:
+    """How far the tip is from a point."""
+    return float(np.linalg.norm(kinematics.forward_kinematics(_ALPHA_II, q)[:3, 3] - point))
 
 
-def _misses(q: np.ndarray, point: np.ndarray) -> bool:
-    """Whether the tip is at another point than the part's."""
-    return bool(np.linalg.norm(kinematics.forward_kinematics(_ALPHA_II, q)[:3, 3] - point) <= NEAR)
+def _there(part: np.ndarray, q: np.ndarray) -> str:
+    x, y, z = part
+    return "" if (miss := _away(q, part)) <= NEAR else (
+        f"The tip is {miss:.4g} mm from the part at ({x:g}, {y:g}, {z:g}); {NEAR} mm is allowed.")
 
 
 def _approach(q: np.ndarray) -> np.ndarray:
     return kinematics.forward_kinematics(_ALPHA_II, q)[:3, 2]
 
 
-_PICK = (within_limits(_ALPHA_II), straight_down(_ALPHA_II), _there)
-_PICK_SLIPS = [
-    degrees_slip(_PICK, hint="q is in radians"),
-    ("The tip is in place, but the tool leans. A target that is only a point says nothing of the "
-     "tool's direction: hand over a whole pose.", lambda q: not _there(q)),
-    ("The tool points up: the third column of the target's rotation is the approach vector, and "
-     "down is (0, 0, -1).", lambda q: _approach(q)[2] > 0.99),
-    ("The tool lies level. The third column of the target's rotation is the approach vector: down "
-     "is (0, 0, -1).", lambda q: abs(_approach(q)[2]) < 0.01),
-    ("It points straight down, beside the part: x and y have changed places.",
-     lambda q: _misses(q, PLACE[[1, 0, 2]])),
-    ("It points straight down, on the other side: look at the signs of x and y.",
-     lambda q: any(_misses(q, PLACE * signs) for signs in ([1, -1, 1], [-1, 1, 1], [-1, -1, 1]))),
-    ("Lengths of the Alpha II are in millimetres.", lambda q: _misses(q, PLACE / 1000)),
-    (f"The wrist is at the part, not the tip, which is {_ALPHA_II.links[4].d} mm farther on.",
-     lambda q: np.linalg.norm(kinematics.link_frames(_ALPHA_II, q)[3, :3, 3] - PLACE) < NEAR),
-]
+def pick_judge(x: float, y: float, z: float) -> Judge:
+    """Judge of joint values that take a part (mm) from straight above."""
+    part = np.array([x, y, z], dtype=float)
+    conditions = (within_limits(_ALPHA_II), straight_down(_ALPHA_II), partial(_there, part))
+    mirrored = part * np.array([[1, -1, 1], [-1, 1, 1], [-1, -1, 1]])
+    slips = [
+        degrees_slip(conditions, hint="q is in radians"),
+        ("The tip is in place, but the tool leans. A target that is only a point says nothing of "
+         "the tool's direction: hand over a whole pose.", lambda q: not _there(part, q)),
+        ("The tool points up: the third column of the target's rotation is the approach vector, "
+         "and down is (0, 0, -1).", lambda q: _approach(q)[2] > 0.99),
+        ("The tool lies level. The third column of the target's rotation is the approach vector: "
+         "down is (0, 0, -1).", lambda q: abs(_approach(q)[2]) < 0.01),
+        ("It points straight down, beside the part: x and y have changed places.",
+         lambda q: _away(q, part[[1, 0, 2]]) <= NEAR),
+        ("It points straight down, on the other side: look at the signs of x and y.",
+         lambda q: any(_away(q, other) <= NEAR for other in mirrored)),
+        ("Lengths of the Alpha II are in millimetres.", lambda q: _away(q, part / 1000) <= NEAR),
+        (f"The wrist is at the part, not the tip, which is {_ALPHA_II.links[4].d} mm farther on.",
+         lambda q: np.linalg.norm(kinematics.link_frames(_ALPHA_II, q)[3, :3, 3] - part) < NEAR),
+    ]
+    return one_of_many(
+        one_pose(_ALPHA_II), conditions, slips=slips,
+        praise="The tip is at the part, straight down, within the limits. The turn of the gripper "
+               "is free, and joint 5 alone decides it.")
+
 
 JUDGES: dict[str, Judge] = {
     "inverse.1": function(
@@ -298,12 +317,8 @@ JUDGES: dict[str, Judge] = {
         _MOVERS, {1, 2, 3, 4, 5}, _MOVER_HINTS,
         praise="No joint moves the tip along x: the arm is stretched, and inwards it can only "
                "start by bending."),
-    "inverse.4": one_of_many(
-        _pair, (_both_reach, _on_both_sides), slips=_PAIR_SLIPS, noun="two pairs of joint values",
-        praise=f"One point, two arms. Its distance is 1.5 m, so the elbow is bent by "
-               f"{degrees(np.arccos(0.125)):.2f}° to one side or the other."),
-    "inverse.5": one_of_many(
-        one_pose(_ALPHA_II), _PICK, slips=_PICK_SLIPS,
-        praise="The tip is at the part, straight down, within the limits. The turn of the gripper "
-               "is free, and joint 5 alone decides it."),
+    "inverse.4": both_ways_judge(1.2, 0.9),
+    # From soft home a search for the mere point ends with the tool 39° from straight down, so the
+    # exercise tells a target that is a point from one that is a pose.
+    "inverse.5": pick_judge(120, 100, 40),
 }

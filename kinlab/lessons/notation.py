@@ -3,6 +3,8 @@ from __future__ import annotations
 
 from math import radians
 
+import numpy as np
+
 from ..answers.judges import Judge, choices, values
 from ..answers.prediction import Asked, Choice, Direction, Mark, Number
 from ..arms.transforms import homogeneous, inverse, rotation_2d
@@ -175,21 +177,26 @@ _PRODUCT_HINTS = {
 
 # ---- Exercise 3: the pose that is missing --------------------------------------------------
 
-T_01 = homogeneous(rotation_2d(radians(90)), [2, 1])
-T_02 = homogeneous(rotation_2d(radians(120)), [1, 4])
-T_12 = inverse(T_01) @ T_02
-_MISSING_SLIPS = [
-    ("The factors have changed places: T_02 @ T_10 has 2 and 1 as neighbours.",
-     T_02 @ inverse(T_01)),
-    ("The pose of frame 1 was not inverted: T_01 @ T_02 has 1 and 0 as neighbours.",
-     T_01 @ T_02),
-    ("The factors have changed places, and none is inverted: T_02 @ T_01.", T_02 @ T_01),
-    ("This is T_21, the pose of frame 1 seen from frame 2: the inverse.", inverse(T_12)),
-    ("This is T_02 itself. From which frame is it seen?", T_02),
-    ("The origin is o_02 - o_01 with the axes of frame 0; frame 1 measures along its own axes.",
-     homogeneous(T_12[:2, :2], T_02[:2, 2] - T_01[:2, 2])),
-    ("A transpose inverts a rotation, not a pose: use kl.inverse.", T_01.T @ T_02),
-]
+
+def missing_judge(T_01: np.ndarray, T_02: np.ndarray) -> Judge:
+    """Judge of the pose of frame 2 seen from frame 1, both being seen from frame 0."""
+    T_12 = inverse(T_01) @ T_02
+    slips = [
+        ("The factors have changed places: T_02 @ T_10 has 2 and 1 as neighbours.",
+         T_02 @ inverse(T_01)),
+        ("The pose of frame 1 was not inverted: T_01 @ T_02 has 1 and 0 as neighbours.",
+         T_01 @ T_02),
+        ("The factors have changed places, and none is inverted: T_02 @ T_01.", T_02 @ T_01),
+        ("This is T_21, the pose of frame 1 seen from frame 2: the inverse.", inverse(T_12)),
+        ("This is T_02 itself. From which frame is it seen?", T_02),
+        ("The origin is o_02 - o_01 with the axes of frame 0; frame 1 measures along its own "
+         "axes.", homogeneous(T_12[:2, :2], T_02[:2, 2] - T_01[:2, 2])),
+        ("A transpose inverts a rotation, not a pose: use kl.inverse.", T_01.T @ T_02),
+    ]
+    return values(
+        T_12, entry=lambda index: f"row {index[0] + 1}, column {index[1] + 1} of T_12",
+        slips=slips, praise="T_10 @ T_02: the two zeros are neighbours and drop out.")
+
 
 JUDGES: dict[str, Judge] = {
     "notation.1": choices(
@@ -198,8 +205,6 @@ JUDGES: dict[str, Judge] = {
     "notation.2": choices(
         {"meaningful": {1, 4, 5, 6}}, {1, 2, 3, 4, 5, 6}, _PRODUCT_HINTS, noun="line",
         praise="Neighbouring indices must agree. The last line is T_01 @ T_12 in disguise."),
-    "notation.3": values(
-        T_12, entry=lambda index: f"row {index[0] + 1}, column {index[1] + 1} of T_12",
-        slips=_MISSING_SLIPS,
-        praise="T_10 @ T_02: the two zeros are neighbours and drop out."),
+    "notation.3": missing_judge(homogeneous(rotation_2d(radians(90)), [2, 1]),
+                                homogeneous(rotation_2d(radians(120)), [1, 4])),
 }

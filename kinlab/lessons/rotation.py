@@ -8,6 +8,7 @@ import numpy as np
 
 from ..answers.judges import Judge, choices, function, values
 from ..answers.matrices import matrix_entry
+from ..arms.motions import Numbers
 from ..arms.transforms import rotation_2d
 from .asked.rotation import PREDICTIONS
 from .views.rotation import (
@@ -41,22 +42,37 @@ _TURN_SLIPS = [
 
 # ---- Exercises 2 and 3: a frame given by its x axis ------------------------------------
 
-_R = np.array([[0.6, -0.8], [0.8, 0.6]])
-_C0 = np.array([2.0, 1.0])
 
-_READ_SLIPS = [
-    ("The axes stand in the rows. They belong in the columns.", _R.T),
-    ("Your y axis lies to the right of the x axis: a left-handed frame, a mirror image.",
-     _R * [1, -1]),
-    ("The second column repeats the x axis with its entries exchanged; it must be perpendicular "
-     "to the first.", np.array([[0.6, 0.8], [0.8, 0.6]])),
-    ("The columns have changed places: x₁ comes first.", _R[:, ::-1]),
-]
-_SEEN_SLIPS = [
-    ("You multiplied by R: that takes coordinates from frame 1 to frame 0.", _R @ _C0),
-    ("x₁ · c is right. Check y₁ · c.", (_R.T @ _C0) * [1, -1]),
-    ("A point that stands still still changes its coordinates: the frame has turned.", _C0),
-]
+def read_off_judge(x_1: Numbers) -> Judge:
+    """Judge of the matrix of a frame whose x axis points along `x_1`, of length 1."""
+    x, y = x_1
+    R = np.array([[x, -y], [y, x]])
+    slips = [
+        ("The axes stand in the rows. They belong in the columns.", R.T),
+        ("Your y axis lies to the right of the x axis: a left-handed frame, a mirror image.",
+         R * [1, -1]),
+        ("The second column repeats the x axis with its entries exchanged; it must be "
+         "perpendicular to the first.", np.array([[x, y], [y, x]])),
+        ("The columns have changed places: x₁ comes first.", R[:, ::-1]),
+    ]
+    return values(
+        R, entry=matrix_entry, slips=slips,
+        praise="One axis was enough: the other one follows by a quarter turn to the left.")
+
+
+def seen_judge(x_1: Numbers, c_0: Numbers) -> Judge:
+    """Judge of the coordinates of a point in that frame."""
+    x, y = x_1
+    R, c_0 = np.array([[x, -y], [y, x]]), np.asarray(c_0, dtype=float)
+    slips = [
+        ("You multiplied by R: that takes coordinates from frame 1 to frame 0.", R @ c_0),
+        ("x₁ · c is right. Check y₁ · c.", (R.T @ c_0) * [1, -1]),
+        ("A point that stands still still changes its coordinates: the frame has turned.", c_0),
+    ]
+    return values(
+        R.T @ c_0, entry=lambda index: f"the {'xy'[index[0]]} of c_1", slips=slips,
+        praise="Each component is a dot product of c with an axis of frame 1.")
+
 
 # ---- Exercise 4: which are rotations? ---------------------------------------------------
 
@@ -91,12 +107,8 @@ JUDGES: dict[str, Judge] = {
         slips=_TURN_SLIPS,
         without="The task says without kinlab: build the matrix from np.cos and np.sin.",
         praise="Your function agrees at every angle. kinlab's own is rotation_2d."),
-    "rotation.2": values(
-        _R, entry=matrix_entry, slips=_READ_SLIPS,
-        praise="One axis was enough: the other one follows by a quarter turn to the left."),
-    "rotation.3": values(
-        _R.T @ _C0, entry=lambda index: f"the {'xy'[index[0]]} of c_1", slips=_SEEN_SLIPS,
-        praise="Each component is a dot product of c with an axis of frame 1."),
+    "rotation.2": read_off_judge((0.6, 0.8)),
+    "rotation.3": seen_judge((0.6, 0.8), (2, 1)),
     "rotation.4": choices(
         {"rotations": _RIGHT_ROTATIONS}, {1, 2, 3, 4, 5, 6}, _ROTATION_HINTS, noun="matrix",
         praise="Columns of length 1, perpendicular, determinant +1: all three are needed."),

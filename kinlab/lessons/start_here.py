@@ -2,7 +2,7 @@
 from __future__ import annotations
 
 from functools import partial
-from math import cos, inf, pi, radians, sin
+from math import cos, degrees, inf, pi, radians, sin
 from typing import Any
 
 import numpy as np
@@ -219,20 +219,32 @@ _QUESTION_HINTS = {(name, k): _JOINTS_KNOWN.format(k) for name in _QUESTIONS for
 
 # ---- Exercise 2: units -------------------------------------------------------------------
 
-_Q = np.array([pi / 3, 0.25, 0.45])
-_UNIT_SLIPS = [
-    ("The angle is in degrees and the lengths are not in metres.", [60, 250, 45]),
-    ("The angle is still in degrees: use np.radians.", [60, 0.25, 0.45]),
-    ("The angle was converted the wrong way: np.degrees makes degrees of radians.",
-     [60 * 180 / pi, 0.25, 0.45]),
-    ("The lengths belong in the arm's unit, metres.", [pi / 3, 250, 45]),
-    ("250 mm is a quarter of a metre.", [pi / 3, 250, 0.45]),
-    ("250 mm is a quarter of a metre.", [pi / 3, 2.5, 0.45]),
-    ("45 cm is less than half a metre.", [pi / 3, 0.25, 45]),
-    ("45 cm is less than half a metre; a metre has 100 cm.", [pi / 3, 0.25, 0.045]),
-    ("The lengths are in millimetres; this arm's unit is the metre.", [pi / 3, 250, 450]),
-    ("The lengths have changed places: joint 2 lifts, joint 3 reaches.", [pi / 3, 0.45, 0.25]),
-]
+# Of a metre, by millimetres.
+PARTS = {200: "a fifth", 250: "a quarter", 400: "two fifths"}
+
+
+def units_judge(turn: float, lift: int, reach: int) -> Judge:
+    """Judge of joint values that are given in degrees, millimetres and centimetres."""
+    q1, d2, d3 = radians(turn), lift / 1000, reach / 100
+    part, less = f"{lift} mm is {PARTS[lift]} of a metre.", f"{reach} cm is less than half a metre"
+    slips = [
+        ("The angle is in degrees and the lengths are not in metres.", [turn, lift, reach]),
+        ("The angle is still in degrees: use np.radians.", [turn, d2, d3]),
+        ("The angle was converted the wrong way: np.degrees makes degrees of radians.",
+         [degrees(turn), d2, d3]),
+        ("The lengths belong in the arm's unit, metres.", [q1, lift, reach]),
+        (part, [q1, lift, d3]),
+        (part, [q1, 10 * d2, d3]),
+        (f"{less}.", [q1, d2, reach]),
+        (f"{less}; a metre has 100 cm.", [q1, d2, d3 / 10]),
+        ("The lengths are in millimetres; this arm's unit is the metre.", [q1, lift, 10 * reach]),
+        ("The lengths have changed places: joint 2 lifts, joint 3 reaches.", [q1, d3, d2]),
+    ]
+    return values(
+        [q1, d2, d3], entry=lambda index: f"q[{index[0]}]", slips=slips,
+        angles=[True, False, False],
+        praise="Radians for the revolute joint, metres for the two that slide.")
+
 
 # ---- Exercise 3: two ways to reach --------------------------------------------------------
 
@@ -240,9 +252,9 @@ _UNIT_SLIPS = [
 _two_ways = exactly((2, 2), "two pairs of joint values")
 
 
-def _reaches(k: int, q: np.ndarray) -> str:
+def _reaches(k: int, target: np.ndarray, q: np.ndarray) -> str:
     p = kinematics.forward_kinematics(_ARM, q[k])[:2, 3]
-    gap = np.linalg.norm(TARGET - p)
+    gap = np.linalg.norm(target - p)
     return "" if gap <= NEAR else (
         f"Pair {k + 1} puts the tip at ({fixed(p[0])}, {fixed(p[1])}) m, {gap:.3f} m from "
         f"the target; {NEAR} m is allowed.")
@@ -253,26 +265,28 @@ def _elbows_differ(q: np.ndarray) -> str:
         "Both pairs reach the target, but in the same way. Bend the elbow to the other side.")
 
 
-_BOTH_REACH = (partial(_reaches, 0), partial(_reaches, 1))
-_WAY_SLIPS = [
-    degrees_slip(_BOTH_REACH, inf, subject="These"),
-    ("The pairs have to be rows: each holds θ₁ and θ₂.", lambda q: meet(_BOTH_REACH, q.T)),
-    ("Only the sign of θ₂ has changed; θ₁ has to make up for it.",
-     lambda q: abs(q[0, 1]) > 0.02 and np.allclose(q[1], q[0] * [1, -1], atol=0.02)),
-]
+def two_ways_judge(target: np.ndarray) -> Judge:
+    """Judge of two pairs of joint values that bring the tip to a target."""
+    both_reach = tuple(partial(_reaches, k, target) for k in range(2))
+    slips = [
+        degrees_slip(both_reach, inf, subject="These"),
+        ("The pairs have to be rows: each holds θ₁ and θ₂.", lambda q: meet(both_reach, q.T)),
+        ("Only the sign of θ₂ has changed; θ₁ has to make up for it.",
+         lambda q: abs(q[0, 1]) > 0.02 and np.allclose(q[1], q[0] * [1, -1], atol=0.02)),
+    ]
+    return one_of_many(
+        _two_ways, (*both_reach, _elbows_differ), slips=slips,
+        parts=("pair 1", "pair 2"), each=both_reach,
+        praise="One position, two answers. Forward kinematics never has that trouble: each pair "
+               "of joint values has one tip.")
+
 
 JUDGES: dict[str, Judge] = {
     "start_here.1": choices(
         _QUESTIONS, {1, 2, 3, 4, 5, 6}, _QUESTION_HINTS, noun="question",
         praise="Joint values given: forward. Joint values asked for: inverse."),
-    "start_here.2": values(
-        _Q, entry=lambda index: f"q[{index[0]}]", slips=_UNIT_SLIPS, angles=[True, False, False],
-        praise="Radians for the revolute joint, metres for the two that slide."),
+    "start_here.2": units_judge(60, 250, 45),
     "start_here.3": notation.JUDGES["notation.1"],  # under these names in copies of lesson 00
     "start_here.4": notation.JUDGES["notation.2"],  # from before lesson 03b
-    "start_here.5": one_of_many(
-        _two_ways, (*_BOTH_REACH, _elbows_differ), slips=_WAY_SLIPS,
-        parts=("pair 1", "pair 2"), each=_BOTH_REACH,
-        praise="One position, two answers. Forward kinematics never has that trouble: each pair "
-               "of joint values has one tip."),
+    "start_here.5": two_ways_judge(TARGET),
 }

@@ -7,7 +7,7 @@ import numpy as np
 
 from ..answers.judges import Judge, expressions, values
 from ..answers.prediction import Asked, Choice, Mark, Number, Several, Signs
-from ..arms.motions import TRANSLATE, X, Y
+from ..arms.motions import TRANSLATE, Numbers, X, Y
 from ..drawing.controls import Knob
 from ..drawing.readings import Point
 from ..drawing.scene import origin_of
@@ -252,7 +252,6 @@ PREDICTIONS: dict[str, Asked] = {
 
 # ---- Exercise 1: there and back ------------------------------------------------------
 
-_O, _C1, _D0 = np.array([[3, -1], [-2, 4], [1, 2]])
 _ROWS = ("c_0", "d_1", "o_10")
 
 
@@ -260,19 +259,25 @@ def _entry(index: tuple) -> str:
     return f"the {'xy'[index[1]]} of {_ROWS[index[0]]}"
 
 
-_THERE_AND_BACK = np.array([_O + _C1, _D0 - _O, -_O])
-_SLIPS = [
-    ("Sum and difference have changed places: c⁰ = o₁⁰ + c¹, and so c¹ = c⁰ - o₁⁰.",
-     [_C1 - _O, _D0 + _O, -_O]),
-    ("From frame 1 to the room o₁⁰ is added.", [_C1 - _O, _D0 - _O, -_O]),
-    ("From the room to frame 1 o₁⁰ is subtracted.", [_O + _C1, _D0 + _O, -_O]),
-    ("The difference is the wrong way round: it is d⁰ - o₁⁰.", [_O + _C1, _O - _D0, -_O]),
-    ("The third one is where frame 1 sees the origin of frame 0, and you gave where frame 0 sees "
-     "that of frame 1.", [_O + _C1, _D0 - _O, _O]),
-    ("A frame sees its own origin at (0, 0); asked is where frame 1 sees that of frame 0.",
-     [_O + _C1, _D0 - _O, 0 * _O]),
-    ("x and y have changed places.", _THERE_AND_BACK[:, ::-1]),
-]
+def there_and_back_judge(**points: Numbers) -> Judge:
+    """Judge of what frame 0 and frame 1 see: `o` is the origin of frame 1, then `c_1` and `d_0`."""
+    o, c_1, d_0 = (np.asarray(points[name]) for name in ("o", "c_1", "d_0"))
+    right = np.array([o + c_1, d_0 - o, -o])
+    slips = [
+        ("Sum and difference have changed places: c⁰ = o₁⁰ + c¹, and so c¹ = c⁰ - o₁⁰.",
+         [c_1 - o, d_0 + o, -o]),
+        ("From frame 1 to the room o₁⁰ is added.", [c_1 - o, d_0 - o, -o]),
+        ("From the room to frame 1 o₁⁰ is subtracted.", [o + c_1, d_0 + o, -o]),
+        ("The difference is the wrong way round: it is d⁰ - o₁⁰.", [o + c_1, o - d_0, -o]),
+        ("The third one is where frame 1 sees the origin of frame 0, and you gave where frame 0 "
+         "sees that of frame 1.", [o + c_1, d_0 - o, o]),
+        ("A frame sees its own origin at (0, 0); asked is where frame 1 sees that of frame 0.",
+         [o + c_1, d_0 - o, 0 * o]),
+        ("x and y have changed places.", right[:, ::-1]),
+    ]
+    return values(right, entry=_entry, slips=slips, parts=_ROWS,
+                  praise="Add on the way to the room, subtract on the way back.")
+
 
 # ---- Exercise 2: what the camera sees, told to the robot --------------------------------
 
@@ -301,30 +306,32 @@ _CAMERA_SLIPS = [
 
 # ---- Exercise 3: where must the frame be? ---------------------------------------------
 
-_C, _D = np.array([[3.0, 1.0], [-1.0, 3.0]])
-_BETWEEN_SLIPS = [
-    ("This is the vector from d to c. Write down c¹ = -d¹ with c¹ = c⁰ - o₁⁰.", _C - _D),
-    ("This is the vector from c to d. Write down c¹ = -d¹ with c¹ = c⁰ - o₁⁰.", _D - _C),
-    ("You are close: the origin stands twice in the equation.", _C + _D),
-    ("This is half the way from d to c, counted from the room's origin. From where does it "
-     "start?", (_C - _D) / 2),
-    ("This is half the way from c to d, counted from the room's origin. From where does it "
-     "start?", (_D - _C) / 2),
-    ("From the room's origin both points are equally far, but do the two arrows point in "
-     "opposite directions?", 0 * _C),
-]
+
+def between_judge(**points: Numbers) -> Judge:
+    """Judge of the place that sees `c` and `d` in opposite directions, equally far away."""
+    c, d = np.array([points["c"], points["d"]], dtype=float)
+    slips = [
+        ("This is the vector from d to c. Write down c¹ = -d¹ with c¹ = c⁰ - o₁⁰.", c - d),
+        ("This is the vector from c to d. Write down c¹ = -d¹ with c¹ = c⁰ - o₁⁰.", d - c),
+        ("You are close: the origin stands twice in the equation.", c + d),
+        ("This is half the way from d to c, counted from the room's origin. From where does it "
+         "start?", (c - d) / 2),
+        ("This is half the way from c to d, counted from the room's origin. From where does it "
+         "start?", (d - c) / 2),
+        ("From the room's origin both points are equally far, but do the two arrows point in "
+         "opposite directions?", 0 * c),
+    ]
+    return values(
+        (c + d) / 2, slips=slips, entry=lambda index: f"the {'xy'[index[0]]} of o_1",
+        praise="The frame stands midway. From there the two points lie in opposite directions, "
+               "equally far.")
+
 
 JUDGES: dict[str, Judge] = {
-    "translation.1": values(
-        _THERE_AND_BACK, entry=_entry, slips=_SLIPS, parts=_ROWS,
-        praise="Add on the way to the room, subtract on the way back."),
+    "translation.1": there_and_back_judge(o=(3, -1), c_1=(-2, 4), d_0=(1, 2)),
     "translation.2": expressions(
         ("x", "y"), _camera(1, -1, 1), _CAMERA_POINTS, constants={}, slips=_CAMERA_SLIPS,
         praise="Up into the room by the camera, down into the robot's frame by its base: "
                "p^B = o_K^0 - o_B^0 + p^K."),
-    "translation.3": values(
-        (_C + _D) / 2, slips=_BETWEEN_SLIPS,
-        entry=lambda index: f"the {'xy'[index[0]]} of o_1",
-        praise="The frame stands midway. From there the two points lie in opposite directions, "
-               "equally far."),
+    "translation.3": between_judge(c=(3, 1), d=(-1, 3)),
 }

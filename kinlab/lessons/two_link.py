@@ -2,6 +2,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import partial
 from math import cos, degrees, pi, radians, sin
 from numbers import Real
 from typing import Any
@@ -126,9 +127,6 @@ _TIP_SLIPS = [
 
 # ---- Exercise 4: link 2 level, Q on the y axis -----------------------------------------
 
-_L1, _L2 = 2.0, 1.0
-
-
 _two_angles = exactly((2,), "two angles, theta_1 and theta_2")
 
 
@@ -138,19 +136,26 @@ def _points_back(q: np.ndarray) -> str:
                                    "0.01° is allowed.")
 
 
-def _on_the_axis(q: np.ndarray) -> str:
-    x = _PQ(q[0], q[1], _L1, _L2)[1, 0]
+def _on_the_axis(l1: float, l2: float, q: np.ndarray) -> str:
+    x = _PQ(q[0], q[1], l1, l2)[1, 0]
     return "" if abs(x) <= 1e-3 else (f"Link 2 points along -x_0, but Q is at x = {x:.4g}; "
                                       "0.001 is allowed.")
 
 
-_LEVEL = (_points_back, _on_the_axis)
-_LEVEL_SLIPS = [
-    degrees_slip(_LEVEL, 4 * pi, hint="write np.radians([...])"),
-    ("theta_2 counts from link 1, not from x_0.", lambda q: meet(_LEVEL, q - [0, q[0]])),
-    ("The signs of the two angles do not go together.", lambda q: meet(_LEVEL, q * [1, -1])),
-    ("It points along +x_0.", lambda q: not _points_back(q + [0, pi])),
-]
+def level_judge(l_1: float, l_2: float) -> Judge:
+    """Judge of two angles that make link 2 point against x_0, with Q on the y axis."""
+    level = (_points_back, partial(_on_the_axis, l_1, l_2))
+    slips = [
+        degrees_slip(level, 4 * pi, hint="write np.radians([...])"),
+        ("theta_2 counts from link 1, not from x_0.", lambda q: meet(level, q - [0, q[0]])),
+        ("The signs of the two angles do not go together.", lambda q: meet(level, q * [1, -1])),
+        ("It points along +x_0.", lambda q: not _points_back(q + [0, pi])),
+    ]
+    return one_of_many(
+        _two_angles, level, slips=slips, parts=("theta_1", "theta_2"),
+        praise="Link 2 is level and Q lies on the axis. There is a second answer, with P on the "
+               "other side of x_0.")
+
 
 _HOW_MANY = {
     1: "Where does P lie? It may be above x_0 or below it.",
@@ -196,8 +201,5 @@ JUDGES: dict[str, Judge] = {
         _tip, _TIP_CASES, entry=lambda index: ("x", "y", "phi")[index[0]], slips=_TIP_SLIPS,
         angles=[False, False, True],
         praise="It serves planar arms with any number of links."),
-    "two_link.4": _with_number(one_of_many(
-        _two_angles, _LEVEL, slips=_LEVEL_SLIPS, parts=("theta_1", "theta_2"),
-        praise="Link 2 is level and Q lies on the axis. There is a second answer, with P on the "
-               "other side of x_0.")),
+    "two_link.4": _with_number(level_judge(2, 1)),
 }

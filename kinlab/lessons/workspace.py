@@ -2,6 +2,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import partial
 from math import degrees, pi, radians, sin
 from typing import Any
 
@@ -70,7 +71,6 @@ _RING_SLIPS = [
 
 # ---- Exercise 2: an arm for a given ring ----------------------------------------------
 
-_NEAR, _FAR = 0.4, 2.2  # m
 
 
 _two_lengths = exactly((2,), "two lengths, l_1 and l_2")
@@ -83,31 +83,38 @@ def _lengths(answer: Any) -> np.ndarray:
     return lengths
 
 
-def _reaches_out(lengths: np.ndarray) -> str:
+def _reaches_out(target: float, lengths: np.ndarray) -> str:
     far = sum(lengths)
-    return "" if abs(far - _FAR) <= 1e-3 else (f"Stretched, this arm reaches {far:.4g} m out; "
-                                               f"it should be {_FAR} m.")
+    return "" if abs(far - target) <= 1e-3 else (f"Stretched, this arm reaches {far:.4g} m out; "
+                                                 f"it should be {target} m.")
 
 
-def _leaves_the_hole(lengths: np.ndarray) -> str:
+def _leaves_the_hole(target: float, out: float, lengths: np.ndarray) -> str:
     near = abs(lengths[0] - lengths[1])
-    return "" if abs(near - _NEAR) <= 1e-3 else (
-        f"It reaches {_FAR} m out, but folded its tool is {near:.4g} m from the base; it should "
-        f"be {_NEAR} m.")
+    return "" if abs(near - target) <= 1e-3 else (
+        f"It reaches {out} m out, but folded its tool is {near:.4g} m from the base; it should "
+        f"be {target} m.")
 
 
-_RADII = (_reaches_out, _leaves_the_hole)
-_LENGTH_SLIPS = [
-    ("These are the radii themselves. Their sum and difference are the wrong way round: l_1 + l_2 "
-     "and |l_1 - l_2| are the radii.", lambda q: np.allclose(sorted(q), [_NEAR, _FAR], atol=1e-3)),
-    ("They are half of what they should be: 0.4 m and 2.2 m are radii, not diameters.",
-     lambda q: meet(_RADII, 2 * q)),
-    ("They are twice what they should be: halve the sum and the difference.",
-     lambda q: meet(_RADII, q / 2)),
-    ("Lengths are in metres.", lambda q: meet(_RADII, q / 100) or meet(_RADII, q / 1000)),
-    ("Links of equal length leave no hole: folded, the tool is at the base.",
-     lambda q: np.isclose(q[0], q[1], atol=1e-3)),
-]
+def design_judge(near: float, far: float) -> Judge:
+    """Judge of the lengths of an arm that reaches from `near` to `far`, in metres."""
+    radii = (partial(_reaches_out, far), partial(_leaves_the_hole, near, far))
+    slips = [
+        ("These are the radii themselves. Their sum and difference are the wrong way round: "
+         "l_1 + l_2 and |l_1 - l_2| are the radii.",
+         lambda q: np.allclose(sorted(q), [near, far], atol=1e-3)),
+        (f"They are half of what they should be: {near} m and {far} m are radii, not diameters.",
+         lambda q: meet(radii, 2 * q)),
+        ("They are twice what they should be: halve the sum and the difference.",
+         lambda q: meet(radii, q / 2)),
+        ("Lengths are in metres.", lambda q: meet(radii, q / 100) or meet(radii, q / 1000)),
+        ("Links of equal length leave no hole: folded, the tool is at the base.",
+         lambda q: np.isclose(q[0], q[1], atol=1e-3)),
+    ]
+    return one_of_many(
+        _lengths, radii, slips=slips, noun="two lengths",
+        praise="This arm reaches just that ring. So does the one with its links exchanged.")
+
 
 # ---- Exercise 3: a wall ---------------------------------------------------------------
 
@@ -168,9 +175,6 @@ _ARM = robots.alpha_ii()
 _SHOULDER = np.array([0, 0, _ARM.links[0].d])
 _FORE, _TOOL = _ARM.links[2].a, _ARM.links[4].d
 _CLOSEST = 2 * _FORE * sin((pi - joint_range(_ARM, 2)[1]) / 2) - _TOOL
-TARGET = np.array([600.0, 0.0, 500.0])
-_ABOVE = TARGET[2] - _SHOULDER[2]
-_STRAIGHT = float(np.linalg.norm(TARGET - _SHOULDER)) - 2 * _FORE - _TOOL
 
 
 def _gap(q: np.ndarray, point: np.ndarray) -> float:
@@ -187,7 +191,6 @@ def _close(point: np.ndarray, least: float, what: str) -> Callable[[np.ndarray],
 
 _POSE = one_pose(_ARM)
 _NEAR_SHOULDER = (within_limits(_ARM), _close(_SHOULDER, _CLOSEST, "the shoulder"))
-_NEAR_TARGET = (within_limits(_ARM), _close(TARGET, _STRAIGHT, "the target"))
 
 _FOLD_SLIPS = [
     degrees_slip(_NEAR_SHOULDER),
@@ -201,21 +204,33 @@ _FOLD_SLIPS = [
     ("The elbow is folded. Now let the tool point from the wrist to the shoulder: two sides of "
      "that triangle are equal.", lambda q: abs(q[2] - 3 * pi / 4) < 1e-3),
 ]
-_FAR_SLIPS = [
-    degrees_slip(_NEAR_TARGET),
-    ("The sign of theta_2 is wrong: positive angles lower the arm.",
-     lambda q: meet(_NEAR_TARGET, q * [1, -1, 1, 1, 1])),
-    ("The arm points to the target as seen from the floor; see it from the shoulder.",
-     lambda q: np.isclose(q[1], -np.arctan2(TARGET[2], TARGET[0]), atol=1e-3)),
-    ("The tool is straight at theta_4 = -90°, not at 0.",
-     lambda q: meet(_NEAR_TARGET, q - [0, 0, 0, pi / 2, 0])),
-    ("The target lies straight ahead, at y = 0: joint 1 has nothing to turn.",
-     lambda q: meet(_NEAR_TARGET, q * [0, 1, 1, 1, 1])),
-    ("The angle of a line is atan2(height, distance): the two have changed places.",
-     lambda q: np.isclose(q[1], -np.arctan2(TARGET[0], _ABOVE), atol=1e-3)),
-    ("A bent arm is shorter than a stretched one.",
-     lambda q: abs(np.sin(q[2])) > 0.02 or abs(np.cos(q[3])) > 0.02),
-]
+
+
+def nearest_judge(ahead: float, high: float) -> Judge:
+    """Judge of the pose nearest to a point that is out of reach, at y = 0 (mm)."""
+    target, above = np.array([ahead, 0.0, high]), high - _SHOULDER[2]
+    short = float(np.linalg.norm(target - _SHOULDER)) - 2 * _FORE - _TOOL
+    conditions = (within_limits(_ARM), _close(target, short, "the target"))
+    slips = [
+        degrees_slip(conditions),
+        ("The sign of theta_2 is wrong: positive angles lower the arm.",
+         lambda q: meet(conditions, q * [1, -1, 1, 1, 1])),
+        ("The arm points to the target as seen from the floor; see it from the shoulder.",
+         lambda q: np.isclose(q[1], -np.arctan2(high, ahead), atol=1e-3)),
+        ("The tool is straight at theta_4 = -90°, not at 0.",
+         lambda q: meet(conditions, q - [0, 0, 0, pi / 2, 0])),
+        ("The target lies straight ahead, at y = 0: joint 1 has nothing to turn.",
+         lambda q: meet(conditions, q * [0, 1, 1, 1, 1])),
+        ("The angle of a line is atan2(height, distance): the two have changed places.",
+         lambda q: np.isclose(q[1], -np.arctan2(ahead, above), atol=1e-3)),
+        ("A bent arm is shorter than a stretched one.",
+         lambda q: abs(np.sin(q[2])) > 0.02 or abs(np.cos(q[3])) > 0.02),
+    ]
+    return one_of_many(
+        _POSE, conditions, slips=slips,
+        praise="Stretched straight towards the target, as seen from the shoulder, and still "
+               f"{short:.0f} mm short. The tool roll is free.")
+
 
 JUDGES: dict[str, Judge] = {
     "workspace.1": function(
@@ -223,9 +238,7 @@ JUDGES: dict[str, Judge] = {
         entry=lambda index: ("nearest", "farthest", "the area")[index[0]],
         praise="The area is also 4 pi l_1 l_2: for a given reach l_1 + l_2 it is largest when "
                "both links are equally long."),
-    "workspace.2": one_of_many(
-        _lengths, _RADII, slips=_LENGTH_SLIPS, noun="two lengths",
-        praise="This arm reaches just that ring. So does the one with its links exchanged."),
+    "workspace.2": design_judge(0.4, 2.2),
     "workspace.3": one_of_many(
         _range, _CLEAR, slips=_WALL_SLIPS, noun="two limits",
         praise="As wide as can be. The upper limit is where the bent arm points along the wall."),
@@ -233,8 +246,5 @@ JUDGES: dict[str, Judge] = {
         _POSE, _NEAR_SHOULDER, slips=_FOLD_SLIPS,
         praise="About 6.6 mm: elbow at its limit, tool folded back. Joints 1, 2 and 5 are free; "
                "they do not change the distance from the shoulder."),
-    "workspace.5": one_of_many(
-        _POSE, _NEAR_TARGET, slips=_FAR_SLIPS,
-        praise="Stretched straight towards the target, as seen from the shoulder, and still "
-               "179 mm short. The tool roll is free."),
+    "workspace.5": nearest_judge(600, 500),
 }
