@@ -45,6 +45,10 @@ def _parser() -> argparse.ArgumentParser:
     lite.add_argument("--pyodide", metavar="FOLDER", type=Path,
                       help="a folder with Pyodide 0.27, for places without a network; "
                            "without it, browsers load Pyodide from its public address")
+    marks = verb(_marks)
+    marks.add_argument("folder", metavar="FOLDER", type=Path, help="the folder with the files")
+    marks.add_argument("--out", metavar="FILE", type=Path,
+                       help="where the table goes; default: marks.csv in this folder")
     notebooks = verb(_notebooks)
     notebooks.add_argument("--check", action="store_true",
                            help="write nothing; fail if a notebook would change")
@@ -100,6 +104,23 @@ def _lite(options: argparse.Namespace) -> int:
     from .course import lite
 
     lite.build(options.out, options.pyodide, tell=lambda line: print(line, file=sys.stderr))
+    return 0
+
+
+def _marks(options: argparse.Namespace) -> int:
+    """Collect a class's reports into one table (CSV). Students write a report with
+    kl.exercises.report(). Says which files cannot be trusted, and why. Runs none of them.
+    """
+    from . import lessons
+    from .marks import table
+
+    exercises, out = lessons.exercises(), options.out or Path("marks.csv")
+    collected = table.collect(options.folder, exercises)
+    table.save(table.as_csv(collected, exercises, options.folder), out)
+    print(f"{len(collected.reports)} reports in {out}")
+    for path, why in collected.doubtful:
+        print(fill(f"Not to be trusted: {path.relative_to(options.folder)}: {why}", 100,
+                   subsequent_indent="  "))
     return 0
 
 

@@ -1,18 +1,28 @@
 """Checks for students' answers: they never raise, they come back, and they name the slip.
 
-`answers` makes judges from references and slips; `lessons` holds those of each lesson.
+`answers` makes judges from references and slips; `lessons` holds those of each lesson, and of some
+exercises other numbers. `marks` keeps what was solved.
 """
 from __future__ import annotations
 
+import os
+import re
+import secrets
 import warnings
-from dataclasses import replace
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from pathlib import Path
+from types import MappingProxyType
 from typing import Any
 
 from . import lessons
 from .answers.judges import Judge
 from .answers.time_limit import Ended, TimeIsOver, within
-from .answers.verdict import NOT_YET, Verdict
+from .answers.varied import Draw
+from .answers.verdict import BLANK, NOT_YET, Verdict
 from .arms import inputs
+from .marks import record
+from .marks.report import FILE, Report, load, save, who
 
 SECONDS = 4.0  # for one check
 LONGEST = 1200  # characters of a message
@@ -49,8 +59,14 @@ def check(name: str, answer: Any, *, seconds: float | None = None) -> Verdict:
     >>> check("alpha_ii.4", [0, 0, 0, 0, 0]).ok
     False
     """
-    judge, what = _judge(name), "function" if callable(answer) else "answer"
-    seconds = SECONDS if seconds is None else seconds
+    verdict = _checked(_judge(name), answer, SECONDS if seconds is None else seconds)
+    if verdict.word != BLANK:
+        record.WORK.checked(name, verdict.ok)
+    return verdict
+
+
+def _checked(judge: Judge, answer: Any, seconds: float) -> Verdict:
+    what = "function" if callable(answer) else "answer"
     try:
         return within(seconds, lambda: judged(judge, answer))
     except TimeIsOver:
@@ -80,6 +96,140 @@ def judged(judge: Judge, answer: Any) -> Verdict:
     if len(verdict.message) > LONGEST:
         verdict = replace(verdict, message=f"{verdict.message[:LONGEST]}...")
     return verdict
+
+
+@dataclass(frozen=True)
+class Variant:
+    """An exercise with numbers of its own. Shown in a notebook, it asks.
+
+    Attributes
+    ----------
+    name : str
+    seed : str
+        The same name and seed have the same numbers, on every machine.
+    ask : str
+        The task, as Markdown.
+    numbers : {name: number or tuple of numbers}
+        Those in the task.
+    """
+
+    name: str
+    seed: str
+    ask: str
+    numbers: Mapping[str, Any]
+
+    def check(self, answer: Any, *, seconds: float | None = None) -> Verdict:
+        """Judge the answer to this variant, as `check` does that of the lesson's exercise."""
+        judge = lessons.variants()[self.name].judge(**self.numbers)
+        verdict = _checked(judge, answer, SECONDS if seconds is None else seconds)
+        if verdict.word != BLANK:
+            record.WORK.checked(self.name, verdict.ok, self.seed)
+        return verdict
+
+    def __repr__(self) -> str:
+        return f"{self._title()}\n{self.ask}"
+
+    def _repr_markdown_(self) -> str:
+        return f"**{self._title()}**\n\n{self.ask}"
+
+    def _title(self) -> str:
+        seed = re.sub(r"[^\w .,-]", "?", self.seed)  # nothing in it can be Markdown or HTML
+        return f"Exercise {self.name}, variant {seed}"
+
+
+def variant(name: str, seed: int | str | None = None) -> Variant:
+    """An exercise with other numbers: to try it again, or for each student their own.
+
+    Parameters
+    ----------
+    name : str
+        Of an exercise with numbers, such as "translation.1".
+    seed : int or str, optional
+        A number, or a text such as a student's name; by chance if left out.
+
+    Returns
+    -------
+    Variant
+        It shows its task. Hand your answer to its `check`.
+
+    Raises
+    ------
+    ValueError
+        If this exercise has no variants; the message names those that have.
+
+    Examples
+    --------
+    >>> mine = variant("translation.3", seed="Ada")
+    >>> mine.numbers == variant("translation.3", seed="Ada").numbers
+    True
+    >>> mine.check(...)
+    ○ Not attempted yet. Replace the ... by your numbers.
+    """
+    known = lessons.variants()
+    one = known[inputs.choice("name", name, tuple(known))]
+    if seed is None:
+        seed = secrets.randbelow(10**6)
+    if isinstance(seed, bool) or not isinstance(seed, int | str):
+        raise ValueError(f"seed: expected a whole number or a text, got {inputs.brief(seed)}")
+    seed = inputs.line("seed", str(seed))
+    numbers = dict(one.draw(Draw(f"{name} {seed}")))
+    return Variant(name, seed, one.ask(**numbers), MappingProxyType(numbers))
+
+
+def report(name: str = "", path: str | os.PathLike = FILE) -> Report:
+    """Show what you have solved, tried and predicted, and write it into one small file.
+
+    Run it at the end of each lesson, in the same folder: the file grows with your work. Hand it in
+    as it is; its seal no longer fits after an edit by hand.
+
+    Parameters
+    ----------
+    name : str, optional
+        Your name; if left out, the one in the file, or whoever is logged in.
+    path : str or path
+        Where the file is; ``kinlab_report.json`` in this folder if left out.
+
+    Returns
+    -------
+    Report
+
+    Raises
+    ------
+    ValueError
+        If the file cannot be written, or is there already and is no report that can be trusted.
+
+    Examples
+    --------
+    >>> import tempfile
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     report("Ada", folder + "/ada.json").name
+    'Ada'
+    """
+    if not isinstance(path, str | os.PathLike) or not isinstance(os.fspath(path), str):
+        raise ValueError("path: expected the name of a file such as 'kinlab_report.json', got "
+                         f"{inputs.brief(path)}")
+    inputs.line("name", name)
+    before = _kept(Path(path))
+    sessions = {**(before.sessions if before else {}), record.KEY: record.THIS}
+    whose = name or (before.name if before else "") or who()
+    made = Report(whose, sessions, path=Path(path))
+    save(made, Path(path))
+    return made
+
+
+def _kept(path: Path) -> Report | None:
+    """The report that is in a file, if there is one."""
+    if not os.path.lexists(path):
+        return None
+    try:
+        kept = load(path)
+    except ValueError as error:
+        raise ValueError(f"path: {str(path)!r} is there and is no report ({error}); it stays as it "
+                         "is: give another name with path=") from None
+    if kept.edited:
+        raise ValueError(f"path: {str(path)!r} was edited by hand; it stays as it is: give another "
+                         "name with path=, or take the file away")
+    return kept
 
 
 def _judge(name: Any) -> Judge:

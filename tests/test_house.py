@@ -20,18 +20,20 @@ MAY_KNOW = {
     "drawing": {"arms"},
     "browser": {"arms.inputs"},
     "tables": {"arms", "answers"},
-    "views": {"arms", "ik", "answers", "tables", "drawing", "browser"},
+    "marks": {"arms.inputs"},
+    "views": {"arms", "ik", "answers", "tables", "drawing", "browser", "marks"},
     "lessons": {"arms", "ik", "answers", "tables", "drawing", "browser", "views"},
     "course": {"arms.robots", "views", "browser"},
-    "exercises": {"arms.inputs", "answers", "lessons"},   # the door kl.exercises.check
+    "exercises": {"arms.inputs", "answers", "lessons", "marks"},   # the door kl.exercises.check
     "predictions": {"arms.inputs", "lessons", "views"},   # the door kl.predict
-    "__main__": {"course"},
+    "__main__": {"course", "lessons", "marks"},
     "__init__": set(),
 }
 # Libraries besides Python's own, by room and, where only one module has it, by module.
 LIBRARIES = {
     "arms": {"numpy"}, "ik": {"numpy"}, "answers": {"numpy", "sympy"}, "drawing": {"numpy"},
     "browser": set(), "tables": {"numpy"}, "views": {"numpy"}, "lessons": {"numpy", "sympy"},
+    "marks": set(),
     "course": {"numpy", "nbformat", "nbclient", "nbconvert", "pygments", "jupyterlab"},
     "arms.symbolic": {"sympy"}, "arms.letters": {"sympy"}, "arms.notation": {"sympy"},
     "arms.growing": {"sympy"},

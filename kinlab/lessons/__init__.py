@@ -1,7 +1,8 @@
 """What each lesson needs of its own, a module each: views, predictions, judges of exercises.
 
 A module has a dictionary JUDGES, from names such as "alpha_ii.1" to judges made by `answers`, and
-a dictionary PREDICTIONS, from names such as "rotation.riding" to what is asked (`Asked`).
+a dictionary PREDICTIONS, from names such as "rotation.riding" to what is asked (`Asked`). Of some
+there is one in `varied/`, with exercises whose numbers may be others.
 """
 from __future__ import annotations
 
@@ -11,6 +12,8 @@ from typing import Any
 
 from ..answers.judges import Judge
 from ..answers.prediction import Asked
+from ..answers.varied import Varied
+from . import varied
 
 
 def names() -> tuple[str, ...]:
@@ -26,6 +29,17 @@ def judges(lesson: str) -> dict[str, Judge]:
 def predictions(lesson: str) -> dict[str, Asked]:
     """What one lesson asks before something moves, by name."""
     return getattr(import_module(f"{__name__}.{lesson}"), "PREDICTIONS", {})
+
+
+def exercises() -> tuple[str, ...]:
+    """The names of all exercises there are."""
+    return tuple(name for lesson in names() for name in judges(lesson))
+
+
+def variants() -> dict[str, Varied]:
+    """The exercises with other numbers, by name."""
+    modules = (module.name for module in iter_modules(varied.__path__, f"{varied.__name__}."))
+    return {name: one for module in modules for name, one in import_module(module).VARIED.items()}
 
 
 def __getattr__(name: str) -> Any:

@@ -14,6 +14,7 @@ from ..arms import inputs
 from ..browser import bundle, page
 from ..drawing import guess, worker
 from ..drawing.scene import Scene
+from ..marks import record
 from .live import LiveView
 
 _BLANK = Scene(name="Prediction", motions=(), items=(), tip=0, center=(0.0, 0.0, 0.0), radius=1.0)
@@ -142,7 +143,11 @@ class Prediction(LiveView):
         self._move(self._started(case))
 
     def _recorded(self, _: Any) -> None:
-        """An answer has been committed, here or in the browser: the partner goes along."""
+        """An answer has been committed, here or in the browser: it is kept, the partner goes along.
+        """
+        for case, answer in self.answers:
+            ok = self.cases[case].told(answer, self.truth(case)).ok
+            record.WORK.answered(self.name, case, ok)
         if self._partner and self.committed:
             self._partner.move(self._shown_at(self.case, None)[:len(self._partner.q)])
 

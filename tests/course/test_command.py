@@ -15,7 +15,7 @@ from kinlab import __main__ as command
 from kinlab.course import handout, notebooks, site
 
 ROOT = Path(__file__).parents[2]
-VERBS = ("lessons", "site", "lite", "notebooks")
+VERBS = ("lessons", "site", "lite", "marks", "notebooks")
 
 
 def refused(capsys, *arguments):

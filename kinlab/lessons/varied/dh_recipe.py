@@ -1,0 +1,33 @@
+"""Lesson 05 with other numbers."""
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from ...answers.matrices import link_matrix
+from ...answers.varied import Draw, Varied
+from ..dh_recipe import lost_row_judge
+
+
+def _row(draw: Draw) -> dict[str, float]:
+    """theta beyond 90° and a below 0: the row that the two obvious ways miss."""
+    return {"theta": draw.one_of([120, 150]), "d": draw.one_of([0.2, 0.3, 0.6, 0.7]),
+            "a": draw.one_of([-0.4, -0.5, -0.8]), "alpha": draw.one_of([-60, -30, 30, 60])}
+
+
+def _printed(theta: float, d: float, a: float, alpha: float) -> str:
+    T: Any = link_matrix(np.radians(theta), d, a, np.radians(alpha))
+    rows = (" & ".join(f"{entry + 0.0:.4f}" for entry in row) for row in np.round(T, 4))
+    return r"\begin{bmatrix} " + r" \\ ".join(rows) + r" \end{bmatrix}"
+
+
+VARIED = {
+    "dh_recipe.6": Varied(
+        lambda **row: (
+            "Someone hands you a link matrix and has lost its table:\n\n"
+            f"$$T = {_printed(**row)}$$\n\n"
+            "Find $\\theta, d, a, \\alpha$ (angles in radians). Each angle is a multiple of 30°: "
+            "give it exactly, with `np.radians`."),
+        _row, lost_row_judge),
+}

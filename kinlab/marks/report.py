@@ -1,0 +1,166 @@
+"""One student's report: a small file for people to read, sealed so that an edit shows.
+
+The seal is a checksum. It tells a file that was edited by hand from one that was not; it is no
+secret, and who reads this source can make one. A file is only ever read as data.
+"""
+from __future__ import annotations
+
+import json
+import os
+from collections.abc import Mapping
+from dataclasses import asdict, dataclass, field, replace
+from hashlib import sha256
+from html import escape
+from pathlib import Path
+from typing import Any
+
+from .. import __version__
+from ..arms import inputs
+from .record import Session, Work, now, together
+
+FILE = "kinlab_report.json"
+EDITED = "edited by hand: its seal does not fit what it says"
+_FORMAT = 1
+_MOST = 1_000_000  # bytes; a whole course takes about ten thousand
+_LONGEST = 200     # letters of a name
+
+
+@dataclass(frozen=True)
+class Report:
+    """What somebody has solved, tried and predicted.
+
+    Attributes
+    ----------
+    name : str
+        Whose it is.
+    sessions : {key: Session}
+        What each kernel has seen.
+    written : str
+        When, in UTC.
+    doubts : tuple of str
+        Why it cannot be trusted; empty if it can.
+    path : Path, optional
+        Where it is kept.
+    """
+
+    name: str
+    sessions: Mapping[str, Session]
+    written: str = field(default_factory=now)
+    doubts: tuple[str, ...] = ()
+    path: Path | None = None
+
+    @property
+    def work(self) -> Work:
+        """All sessions together."""
+        in_order = sorted(self.sessions.values(), key=lambda session: session.began)
+        return together(session.work for session in in_order)
+
+    @property
+    def edited(self) -> bool:
+        """Whether the file says anything else than what was written."""
+        return EDITED in self.doubts
+
+    def lines(self) -> list[list[str]]:
+        """A heading, and for each lesson what was solved, tried and predicted."""
+        work = self.work
+        lessons = dict.fromkeys(name.partition(".")[0] for name in (*work.tries, *work.predicted))
+        return [["Lesson", "Solved", "Tried", "Predictions right"],
+                *(_lesson(lesson, work) for lesson in lessons)]
+
+    def __repr__(self) -> str:
+        rows = self.lines()
+        wide = [max(map(len, column)) for column in zip(*rows)]
+        table = ["  ".join(cell.ljust(width) for cell, width in zip(row, wide)).rstrip()
+                 for row in rows]
+        return "\n".join([self._title(), *(table if len(rows) > 1 else [
+            "Nothing yet. Run the checks and predictions of a lesson first."])])
+
+    def _repr_html_(self) -> str:
+        head, *rows = ["".join(f'<td style="text-align: left">{escape(cell)}</td>' for cell in row)
+                       for row in self.lines()]
+        body = "".join(f"<tr>{row}</tr>" for row in rows)
+        return (f"<p>{escape(self._title())}</p>"
+                f"<table><thead><tr>{head}</tr></thead><tbody>{body}</tbody></table>")
+
+    def _title(self) -> str:
+        where = f", kept in {self.path}" if self.path else ""
+        return f"Report of {self.name or 'somebody without a name'}{where}"
+
+
+def _lesson(lesson: str, work: Work) -> list[str]:
+    def numbers(names: Any) -> str:
+        return ", ".join(name.partition(".")[2] for name in names
+                         if name.partition(".")[0] == lesson)
+
+    answers = [ok for name, cases in work.predicted.items() if name.partition(".")[0] == lesson
+               for ok in cases.values()]
+    return [lesson, numbers(sorted(work.solved)),
+            numbers(sorted(set(work.tries) - set(work.solved))),
+            f"{sum(answers)} of {len(answers)}" if answers else ""]
+
+
+def save(report: Report, path: Path) -> None:
+    """Write it as JSON, which stays the same however its lines are broken."""
+    told = {"kinlab report": _FORMAT, "name": report.name, "written": report.written,
+            "sessions": {key: asdict(one) for key, one in report.sessions.items()}}
+    text = json.dumps(told | {"seal": _seal(told)}, indent=1, ensure_ascii=False)
+    try:
+        path.write_text(text + "\n", encoding="utf-8")
+    except (OSError, ValueError) as error:  # ValueError: a name with a zero byte
+        reason = getattr(error, "strerror", None) or error
+        raise ValueError(f"path: cannot write {str(path)!r} ({reason}); choose a folder of your "
+                         "own, or another name") from None
+
+
+def load(path: Path) -> Report:
+    """A report out of its file; ValueError says why it is none."""
+    try:
+        if path.stat().st_size > _MOST:
+            raise ValueError("it is too large for a report")
+        told = json.loads(path.read_text(encoding="utf-8"))
+    except OSError as error:
+        raise ValueError(f"it cannot be read ({error.strerror})") from None
+    except (UnicodeDecodeError, json.JSONDecodeError, RecursionError):
+        raise ValueError("it is no JSON, or damaged") from None
+    if not isinstance(told, dict) or "kinlab report" not in told:
+        raise ValueError("it is no report of kinlab")
+    if told["kinlab report"] != _FORMAT:
+        raise ValueError(f"it was written by another kinlab than this one, {__version__}")
+    seal = told.pop("seal", None)
+    try:
+        report = Report(_name(told.get("name")), {key: Session.of(one) for key, one in
+                                                 told["sessions"].items()},
+                        str(told.get("written")), path=path)
+    except (ValueError, KeyError, AttributeError):
+        raise ValueError("edited by hand: a part of it is missing, or no part of a report"
+                         ) from None
+    return _doubted(report, [] if seal == _seal(told) else [EDITED])
+
+
+def _doubted(report: Report, doubts: list[str]) -> Report:
+    others = sorted({one.version for one in report.sessions.values()} - {__version__})
+    if others:
+        doubts = [*doubts, f"other version: made with kinlab {', '.join(others)}, and this is "
+                           f"{__version__}"]
+    return replace(report, doubts=tuple(doubts))
+
+
+def _name(name: Any) -> str:
+    return inputs.line("name", name)[:_LONGEST]
+
+
+def _seal(told: Mapping[str, Any]) -> str:
+    text = json.dumps(told, sort_keys=True, separators=(",", ":"))
+    return sha256(f"kinlab report {text}".encode()).hexdigest()
+
+
+def who() -> str:
+    """The name of whoever is logged in, on a hub or here; "" where nobody is."""
+    import getpass
+
+    if named := os.environ.get("JUPYTERHUB_USER"):
+        return named
+    try:
+        return getpass.getuser()
+    except (OSError, KeyError, ImportError):  # in a browser there are no users
+        return ""
