@@ -17,6 +17,7 @@ from kinlab.arms.inputs import Note
 
 ARM = kl.robots.alpha_ii()
 ONE = kl.Arm([kl.revolute()])
+TWO = kl.robots.two_link()
 EYE = np.eye(4)
 FLAT = kl.zyz_angles(np.eye(3))
 LINKS = [kl.revolute(), kl.prismatic()]
@@ -31,6 +32,10 @@ def solve(target=POSE, **options):
 
 def solve_all(targets=POSE[None], **options):
     return kl.inverse_kinematics_batch(ARM, targets, **{"restarts": 2, "steps": 9, **options})
+
+
+def go(**options):
+    return kl.straight_path(TWO, **({"T0": [1, 1, 0], "T1": [1.1, 1, 0], "duration": 1} | options))
 
 
 def few(samples):
@@ -72,6 +77,14 @@ NUMBERS = {
     "kl.inverse_kinematics tolerance": lambda x: solve(tolerance=x),
     "kl.inverse_kinematics_batch targets": lambda x: solve_all(x),
     "kl.inverse_kinematics_batch tolerance": lambda x: solve_all(tolerance=x),
+    "kl.joint_path q0": lambda x: kl.joint_path(TWO, x, [0, 0], 1),
+    "kl.joint_path q1": lambda x: kl.joint_path(TWO, [0, 0], x, 1),
+    "kl.joint_path duration": lambda x: kl.joint_path(TWO, [0, 0], [1, 1], x),
+    "kl.joint_path ramp": lambda x: kl.joint_path(TWO, [0, 0], [1, 1], 1, ramp=x),
+    "kl.straight_path T0": lambda x: go(T0=x),
+    "kl.straight_path T1": lambda x: go(T1=x),
+    "kl.straight_path duration": lambda x: go(duration=x),
+    "kl.straight_path ramp": lambda x: go(ramp=x),
 }
 SYMBOLS_TOO = {
     "kl.rotation_2d theta": kl.rotation_2d,
@@ -106,6 +119,8 @@ NONE_TOO = {
     "kl.inverse_kinematics weights": lambda x: solve(weights=x),
     "kl.inverse_kinematics_batch q0": lambda x: solve_all(q0=x),
     "kl.inverse_kinematics_batch weights": lambda x: solve_all(weights=x),
+    "kl.straight_path q0": lambda x: go(q0=x),
+    "kl.straight_path weights": lambda x: go(weights=x),
 }
 OTHERS = {
     "kl.manipulability arm": lambda x: kl.manipulability(x, [0]),
@@ -116,6 +131,8 @@ OTHERS = {
     "kl.density_picture reached": kl.density_picture,
     "kl.envelope_picture reached": kl.envelope_picture,
     "kl.slice_picture reached": kl.slice_picture,
+    "kl.joint_path arm": lambda x: kl.joint_path(x, [0], [1], 1),
+    "kl.straight_path arm": lambda x: kl.straight_path(x, [0, 0, 0], [1, 1, 1], 1),
     "kl.inverse_kinematics arm": lambda x: kl.inverse_kinematics(x, [0, 0, 0]),
     "kl.inverse_kinematics_batch arm": lambda x: kl.inverse_kinematics_batch(x, [[0, 0, 0]]),
     "kl.Arm links": kl.Arm,
@@ -137,6 +154,8 @@ WORDS = {
     "kl.inverse_kinematics limits": lambda x: solve(limits=x),
     "kl.inverse_kinematics_batch method": lambda x: solve_all(method=x),
     "kl.inverse_kinematics_batch limits": lambda x: solve_all(limits=x),
+    "kl.joint_path profile": lambda x: kl.joint_path(TWO, [0, 0], [1, 1], 1, x),
+    "kl.straight_path profile": lambda x: go(profile=x),
 }
 LINES = {
     "kl.Arm name": lambda x: kl.Arm(LINKS, name=x),
@@ -211,6 +230,8 @@ def is_finite(result):
         return not result.matrix.has(sp.nan, sp.oo, sp.zoo)
     if isinstance(result, kl.InverseResult | kl.InverseBatch):
         return all(map(np.all, map(np.isfinite, (result.q, result.position_error))))
+    if isinstance(result, kl.Path):  # singular places have infinite rates
+        return np.isfinite(result.q).all() and np.isfinite(result.tip_speed).all()
     if isinstance(result, kl.ZYZAngles | kl.RPYAngles | kl.AxisAngle | tuple):
         return all(np.isfinite(part).all() for part in result)
     return not any(entry != entry or entry in (sp.oo, -sp.oo, sp.zoo) for entry in result.flat)
@@ -313,7 +334,7 @@ def test_anything_is_computed_or_refused_in_one_sentence(call, value):
 
 def test_every_public_function_is_listed_here():
     elsewhere = {"ArmView", "ClosedForm", "DHTableEditor", "InverseBatch", "InverseResult",
-                 "Quaternion", "TargetView", "Workspace", "examine_frames", "exercises",
+                 "Path", "Quaternion", "TargetView", "Workspace", "examine_frames", "exercises",
                  "frames_view", "lessons", "link_view", "parse_number", "predict", "robots",
                  "same_mechanism", "show", "solve_view", "velocity_view"}
     listed = {call.split()[0].removeprefix("kl.") for call in EVERY}

@@ -16,13 +16,14 @@ SCRIPTS = sorted(PACKAGE.rglob("*.js"))
 MAY_KNOW = {
     "arms": set(),
     "ik": {"arms"},
+    "paths": {"arms", "ik"},
     "answers": {"arms"},
     "drawing": {"arms"},
     "browser": {"arms.inputs"},
     "tables": {"arms", "answers"},
     "marks": {"arms.inputs"},
-    "views": {"arms", "ik", "answers", "tables", "drawing", "browser", "marks"},
-    "lessons": {"arms", "ik", "answers", "tables", "drawing", "browser", "views"},
+    "views": {"arms", "ik", "paths", "answers", "tables", "drawing", "browser", "marks"},
+    "lessons": {"arms", "ik", "paths", "answers", "tables", "drawing", "browser", "views"},
     "course": {"arms.robots", "views", "browser"},
     "exercises": {"arms.inputs", "answers", "lessons", "marks"},   # the door kl.exercises.check
     "predictions": {"arms.inputs", "lessons", "views"},   # the door kl.predict
@@ -31,7 +32,8 @@ MAY_KNOW = {
 }
 # Libraries besides Python's own, by room and, where only one module has it, by module.
 LIBRARIES = {
-    "arms": {"numpy"}, "ik": {"numpy"}, "answers": {"numpy", "sympy"}, "drawing": {"numpy"},
+    "arms": {"numpy"}, "ik": {"numpy"}, "paths": {"numpy"}, "answers": {"numpy", "sympy"},
+    "drawing": {"numpy"},
     "browser": set(), "tables": {"numpy"}, "views": {"numpy"}, "lessons": {"numpy", "sympy"},
     "marks": set(),
     "course": {"numpy", "nbformat", "nbclient", "nbconvert", "pygments", "jupyterlab"},

@@ -10,7 +10,7 @@ import numpy as np
 
 from .arm import Arm, check_arm
 from .joints import given_joints
-from .link import PRISMATIC, Link
+from .link import PRISMATIC, REVOLUTE, Link
 from .motions import ROTATE, Frame, Motion, Values, along, cross, difference
 
 # Poses worked on at a time, so that all components of a frame stay in the processor's cache.
@@ -182,6 +182,13 @@ def typical_length(arm: Arm) -> float:
     """The length beside which a turn by one radian counts: the reach, if that is a length."""
     length = reach(arm)
     return length if 0 < length < math.inf else 1.0
+
+
+def is_planar(arm: Arm) -> bool:
+    """True when all joints turn about parallel axes along the room's z."""
+    frames = link_frames(arm, np.full(arm.n, 0.3))
+    revolute = all(link.kind == REVOLUTE for link in arm.joints)
+    return revolute and bool(np.allclose(np.abs(frames[:, 2, 2]), 1))
 
 
 def axis_frames(arm: Arm) -> list[int]:

@@ -10,8 +10,7 @@ import numpy as np
 
 from ..arms.arm import Arm
 from ..arms.joints import joints_before
-from ..arms.kinematics import link_frames
-from ..arms.link import REVOLUTE
+from ..arms.kinematics import is_planar
 from ..arms.motions import Motion, Numbers
 from .bodies import Bodies
 from .controls import arm_switches, joint_knobs, subscript, tip_handle, tool_table, tour
@@ -20,13 +19,6 @@ from .scene import AXIS, LINE, NAME, TEXT, TRACE, Fit, Floor, Item, Scene, Step,
 
 _AXES = np.eye(3)
 _LONGEST = 20  # letters of a joint's name in the picture
-
-
-def is_planar(arm: Arm) -> bool:
-    """True when all joints turn about parallel axes along the room's z."""
-    frames = link_frames(arm, np.full(arm.n, 0.3))
-    revolute = all(link.kind == REVOLUTE for link in arm.joints)
-    return revolute and bool(np.allclose(np.abs(frames[:, 2, 2]), 1))
 
 
 def arm_scene(arm: Arm, q: Numbers | None = None, *, show: Any = (),

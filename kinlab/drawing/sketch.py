@@ -21,8 +21,9 @@ from typing import Any
 import numpy as np
 
 from ..arms.arm import Arm
+from ..arms.kinematics import is_planar
 from ..arms.motions import ROTATE, TRANSLATE, Numbers, X, Y, Z
-from .arm_scene import arm_scene, is_planar
+from .arm_scene import arm_scene
 from .bodies import HALF, PLATE, SKIN, TAPER, THIN
 from .controls import Handle, Knob, PoseTable, Switch, Target, subscript
 from .curves import corners

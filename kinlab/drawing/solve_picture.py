@@ -8,9 +8,9 @@ from typing import Protocol
 import numpy as np
 
 from ..arms.arm import Arm
-from ..arms.kinematics import frame_poses, tool_poses, typical_length
+from ..arms.kinematics import frame_poses, is_planar, tool_poses, typical_length
 from ..arms.motions import TRANSLATE
-from .arm_scene import arm_scene, is_planar
+from .arm_scene import arm_scene
 from .chart import Chart, Curve
 from .controls import Knob
 from .readings import Entry

@@ -130,7 +130,7 @@ def inverse_kinematics(arm: Arm, target: Any, q0: Any = None, *, method: str = "
     'out of reach: the target is 3 m from the base, all links end to end are 2 m'
     """
     check_arm(arm)
-    poses, count = _targets("target", target, ())
+    poses, count = given_targets("target", target, ())
     task, options = _task(arm, count, weights, limits, tolerance, method, restarts, seed, steps)
     starts = _starts(arm, q0, ())
     found = single.search(task, seen_from(poses), starts.T, **options)
@@ -167,7 +167,7 @@ def inverse_kinematics_batch(arm: Arm, targets: Any, q0: Any = None, *, method: 
     array([ True, False])
     """
     check_arm(arm)
-    poses, count = _targets("targets", targets, (-1,))
+    poses, count = given_targets("targets", targets, (-1,))
     task, options = _task(arm, count, weights, limits, tolerance, method, restarts, seed, steps)
     starts = _starts(arm, q0, (len(poses),))
     parts = [slice(k, k + BATCH) for k in range(0, max(len(poses), 1), BATCH)]
@@ -186,7 +186,7 @@ def _task(arm: Arm, count: int, weights: Any, limits: str, tolerance: Any, metho
     """The task, and the options of its attempt."""
     inputs.choice("limits", limits, ("keep", "ignore"))
     inputs.choice("method", method, tuple(METHODS))
-    task = Task(arm, _weights(weights, count),
+    task = Task(arm, direction_weights(weights, count),
                 inputs.positive("tolerance", tolerance), limits == "keep")
     directions = np.count_nonzero(task.weights)
     if method == "newton" and directions != arm.n:
@@ -198,7 +198,7 @@ def _task(arm: Arm, count: int, weights: Any, limits: str, tolerance: Any, metho
                       seed=inputs.whole("seed", seed, 0), steps=inputs.whole("steps", steps, 1))
 
 
-def _weights(weights: Any, count: int) -> np.ndarray:
+def direction_weights(weights: Any, count: int) -> np.ndarray:
     """Six weights, the largest 1; those of rotation are 0 for a point."""
     given = np.ones(count) if weights is None else inputs.shaped(
         "weights", weights, (count,), f"{count} numbers, one per direction")
@@ -208,7 +208,7 @@ def _weights(weights: Any, count: int) -> np.ndarray:
     return np.concatenate([given / given.max(), np.zeros(6 - count)])
 
 
-def _targets(name: str, value: Any, lead: tuple[int, ...]) -> tuple[np.ndarray, int]:
+def given_targets(name: str, value: Any, lead: tuple[int, ...]) -> tuple[np.ndarray, int]:
     """Poses (m, 4, 4) and how many directions each has: 6, or 3 for a point."""
     shapes = "a pose (4, 4) or a point (3,)" if not lead else "poses (m, 4, 4) or points (m, 3)"
     array = inputs.real_array(name, value, shapes)

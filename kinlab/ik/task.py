@@ -19,7 +19,7 @@ from ..arms.arm import Arm
 from ..arms.joints import WHOLE_TURN, joint_limits
 from ..arms.kinematics import reach, tool_and_joints, twist, typical_length
 from ..arms.link import REVOLUTE
-from ..arms.motions import ROTATE, TRANSLATE, Frame
+from ..arms.motions import ROTATE, TRANSLATE, Frame, cross
 from ..arms.route import Place, Vector
 
 Places = slice | np.ndarray
@@ -151,13 +151,31 @@ class Task:
 
     def error(self, seen: Place, q: Vector) -> tuple[np.ndarray, np.ndarray]:
         """`errors` at one place, by plain floats: Jacobian (n, rows) and error (rows)."""
+        J, e = self._twists(seen, q)
+        return self._counted(J, e), e[self.rows] * self.scale[:, 0]
+
+    def pull(self, seen: Place, q: Vector, twist: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """The Jacobian (n, rows) as in `error`, and the rate (rows) of the error as the target
+        moves: by the twist (v, w) of its origin, in its own axes.
+        """
+        J, e = self._twists(seen, q)
+        v, w = twist[:3], twist[3:]
+        back = -np.concatenate([v + cross(w, e[:3]), w])  # how the target sees the tool go
+        rates = self._counted(np.vstack([J, back]), e)
+        return rates[:-1], rates[-1]
+
+    def _twists(self, seen: Place, q: Vector) -> tuple[np.ndarray, np.ndarray]:
+        """Jacobian (n, 6) and error (6) at one place, in plain lengths and radians."""
         places = self.arm.route.places(q, seen)
         axes, origin = places[-1]
-        J = np.array(self.arm.route.twists(places))
-        e = np.array([*origin, *(rotation_vector(axes) if self.turns else (0.0, 0.0, 0.0))])
+        turned = rotation_vector(axes) if self.turns else (0.0, 0.0, 0.0)
+        return np.array(self.arm.route.twists(places)), np.array([*origin, *turned])
+
+    def _counted(self, twists: np.ndarray, e: np.ndarray) -> np.ndarray:
+        """What twists (k, 6) do to the error, in the directions that count, weighted."""
         if self.lopsided:
-            J[:, 3:] = J[:, 3:] @ _rates(e[3:].tolist()).T
-        return J[:, self.rows] * self.scale[:, 0], e[self.rows] * self.scale[:, 0]
+            twists[:, 3:] = twists[:, 3:] @ _rates(e[3:].tolist()).T
+        return twists[:, self.rows] * self.scale[:, 0]
 
     @cached_property
     def turns(self) -> bool:

@@ -9,7 +9,7 @@ import numpy as np
 from ..arms import inputs
 from ..arms.arm import Arm, check_arm
 from ..arms.joints import first_pose
-from ..drawing.arm_scene import is_planar
+from ..arms.kinematics import is_planar
 from ..drawing.link_picture import parameters_scene
 from ..drawing.solve_picture import solve_scene
 from ..drawing.velocity_picture import velocity_scene

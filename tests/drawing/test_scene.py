@@ -10,8 +10,8 @@ from strategies import arms, arms_and_q
 
 import kinlab as kl
 from kinlab.arms.joints import joint_range
-from kinlab.arms.kinematics import axis_frames
-from kinlab.drawing.arm_scene import arm_scene, is_planar
+from kinlab.arms.kinematics import axis_frames, is_planar
+from kinlab.drawing.arm_scene import arm_scene
 from kinlab.drawing.controls import LAYERS, Knob, subscript
 from kinlab.drawing.scene import AXIS, NAME, SPATIAL, Item, Scene
 

@@ -1,0 +1,1 @@
+"""Paths: joint values that go from one pose to another in a stated time."""

@@ -1,0 +1,166 @@
+"""Paths along a line in space: on the line, on one branch, and right about their rates."""
+import numpy as np
+import pytest
+
+import kinlab as kl
+
+TWO = kl.robots.two_link()
+SIX = kl.robots.intelledex_660t()
+Q0, Q1 = [0.1, 0.2, 0.3, 0.4, 0.5, 0.6], [0.5, 0.4, 0.5, 0.1, 0.9, 0.2]
+
+
+def six_joints(profile="quintic"):
+    T0, T1 = (kl.forward_kinematics(SIX, q) for q in (Q0, Q1))
+    return T0, T1, kl.straight_path(SIX, T0, T1, 3, profile, Q0)
+
+
+def off_line(path):
+    """How far the tool point is from the line between its first and its last place."""
+    way, along = path.tip - path.tip[0], path.tip[-1] - path.tip[0]
+    return np.linalg.norm(np.cross(way, along), axis=1).max() / np.linalg.norm(along)
+
+
+def test_two_links_by_hand():
+    """From (1, 1) to (1, -1) on links of 1 m: at x = 1, y = 0 the elbow is at 60 degrees.
+
+    There J = [[0, s], [1, 1/2]] with s = sin 60, v = (0, -2 * 1.875 / 2): the second joint rests.
+    """
+    path = kl.straight_path(TWO, [1, 1, 0], [1, -1, 0], 2, q0=[0, np.pi / 2])
+    assert path.q[0] == pytest.approx([0, np.pi / 2], abs=1e-9)
+    assert path.q[-1] == pytest.approx([-np.pi / 2, np.pi / 2], abs=1e-9)
+    middle = int(np.flatnonzero(path.t == 1)[0])
+    assert path.at(1) == pytest.approx([-np.pi / 3, 2 * np.pi / 3], abs=1e-9)
+    assert path.rates[middle] == pytest.approx([-1.875, 0], abs=1e-9)
+    assert path.tip_speed[middle] == pytest.approx(1.875)
+    assert off_line(path) < 1e-12
+
+
+@pytest.mark.parametrize("profile", ("cubic", "quintic", "trapezoidal"))
+def test_a_whole_pose_goes_evenly_along_a_line_and_about_one_axis(profile):
+    T0, T1, path = six_joints(profile)
+    assert path.T[0] == pytest.approx(T0, abs=1e-8) and path.T[-1] == pytest.approx(T1, abs=1e-8)
+    assert off_line(path) < 1e-9
+    axis, angle = kl.axis_angle(T1[:3, :3] @ T0[:3, :3].T)
+    gone = np.linalg.norm(path.tip - path.tip[0], axis=1) / np.linalg.norm(T1[:3, 3] - T0[:3, 3])
+    turned = path.T[:, :3, :3] @ T0[:3, :3].T
+    assert turned == pytest.approx(kl.rotation_about(axis, gone * angle), abs=1e-8)
+
+
+def numerically(path, h=1e-3):
+    """Rates and accelerations by fine differences of `at`, and the path's own, inside it."""
+    t = path.duration * np.array([0.0531, 0.213, 0.377, 0.5123, 0.67, 0.811, 0.957])
+    far, near, here, after, beyond = (path.at(t + k * h) for k in (-2, -1, 0, 1, 2))
+    rates = (8 * (after - near) - (beyond - far)) / (12 * h)
+    bends = (16 * (near + after) - 30 * here - far - beyond) / (12 * h**2)
+    return rates, bends, path._motion.states(t)[1:]
+
+
+def paths():
+    home = [0, -0.6, 1.2, -0.6, 0]  # the tool points down
+    tool = kl.forward_kinematics(kl.robots.alpha_ii(), home)
+    moved = kl.translation([-60, 100, 40]) @ tool
+    return {
+        "two links": lambda: kl.straight_path(TWO, [1.5, 0.5, 0], [0.5, 1.5, 0], 2),
+        "six joints": lambda: six_joints()[2],
+        "five joints, a point": lambda: kl.straight_path(
+            kl.robots.alpha_ii(), tool[:3, 3], moved[:3, 3], 3, q0=home),
+        "five joints, roll left free": lambda: kl.straight_path(
+            kl.robots.alpha_ii(), tool, moved, 3, q0=home, weights=[1, 1, 1, 1, 1, 0]),
+        "close by the base": lambda: kl.straight_path(
+            TWO, [1, 0.02, 0], [-1, 0.02, 0], 2, q0=[np.pi / 3, -2 * np.pi / 3]),
+    }
+
+
+@pytest.mark.parametrize("which", paths())
+def test_rates_and_accelerations_are_those_of_fine_differences(which):
+    path = paths()[which]()
+    rates, bends, (own_rates, own_bends) = numerically(path, 1e-4 if "base" in which else 1e-3)
+    assert own_rates == pytest.approx(rates, abs=2e-6 * np.abs(rates).max())
+    assert own_bends == pytest.approx(bends, abs=2e-4 * np.abs(bends).max())
+
+
+def test_close_to_a_singular_place_the_branch_is_kept_and_the_rates_are_told():
+    """1 mm from the base at 1.875 m/s the first joint turns at 1875 rad/s; the elbow stays."""
+    path = kl.straight_path(TWO, [1, 1e-3, 0], [-1, 1e-3, 0], 2, q0=[np.pi / 3, -2 * np.pi / 3])
+    assert np.abs(path.rates[:, 0]).max() == pytest.approx(1875, rel=1e-3)
+    assert np.all(path.q[:, 1] < 0) and np.all(path.q[:, 1] > -np.pi)
+    assert np.ptp(path.q[:, 0]) > 3
+    assert np.abs(np.diff(path.q, axis=0)).max() < 0.0801
+
+
+def test_through_a_singular_place_it_goes_on_evenly():
+    """Right through the base the elbow passes 180 degrees, at twice the rate of the shoulder."""
+    path = kl.straight_path(TWO, [1, 0, 0], [-1, 0, 0], 2, q0=[np.pi / 3, -2 * np.pi / 3])
+    middle = int(np.flatnonzero(path.t == 1)[0])
+    assert path.q[middle] == pytest.approx([np.pi / 2, -np.pi], abs=1e-5)
+    assert path.rates[middle] == pytest.approx([0.9375, -1.875], rel=1e-4)
+    assert path.accelerations[middle] == pytest.approx([0, 0], abs=1e-3)
+    assert path.q[-1] == pytest.approx([2 * np.pi / 3, -4 * np.pi / 3])
+
+
+def test_from_the_stretched_pose_no_finite_acceleration_leads_on():
+    """The elbow opens with the square root of the way: t^1.5 with a quintic, t with a cubic."""
+    quintic = kl.straight_path(TWO, [2, 0, 0], [0.5, 0, 0], 2, q0=[0, 0])
+    assert quintic.q[0].tolist() == [0, 0] and np.all(quintic.q[1:, 1] > 0)
+    assert np.isinf(quintic.accelerations[0]).all()
+    assert quintic.rates[0] == pytest.approx(0, abs=0.01)
+    # 2 - 2 cos(q2 / 2) = 1.5 * 3 tau^2: q2 = sqrt(18) tau, and a second is half of tau
+    cubic = kl.straight_path(TWO, [2, 0, 0], [0.5, 0, 0], 2, "cubic", q0=[0, 0])
+    assert cubic.rates[0, 1] == pytest.approx(np.sqrt(18) / 2, rel=1e-3)
+    assert np.isfinite(cubic.accelerations).all()
+
+
+def test_a_line_on_the_spot():
+    path = kl.straight_path(TWO, [1, 1, 0], [1, 1, 0], 1)
+    assert np.ptp(path.q, axis=0).max() == 0 and not path.rates.any()
+
+
+def test_beyond_a_limit_the_path_is_made_and_its_breach_is_marked():
+    arm = kl.Arm([kl.revolute(a=1), kl.revolute(a=1, limits=(-2, 1.75), speed=0.5)])
+    path = kl.straight_path(arm, [1, 1, 0], [1, -1, 0], 2, q0=[0, np.pi / 2])
+    limit, *speeds = path.broken
+    q2 = path.at([limit.start, limit.end])[:, 1]
+    assert q2 == pytest.approx(1.75, abs=1e-8) and limit.worst == pytest.approx(2 * np.pi / 3)
+    assert [b.kind for b in speeds] == ["speed", "speed"]
+    assert speeds[0].end < 1 < speeds[1].start
+    assert "joint 2 is beyond its limit of 100.3 deg from" in repr(path)
+
+
+def test_the_first_posture_is_q0_and_another_one_gives_the_other_branch():
+    up, down = (kl.straight_path(TWO, [1, 1, 0], [1, -1, 0], 2, q0=q)
+                for q in ([0, np.pi / 2], [np.pi / 2, -np.pi / 2]))
+    assert np.all(up.q[:, 1] > 0) and np.all(down.q[:, 1] < 0)
+    assert up.tip == pytest.approx(down.tip, abs=1e-9)
+
+
+@pytest.mark.parametrize("arguments, words", [
+    (dict(T0=[3, 0, 0]), "T0: expected a start that the arm reaches, got one that is out of reach"),
+    (dict(T1=[3, 1, 0]), r"T0, T1: expected a line within reach, got one that leaves it at 37% of "
+                         r"its way, after 0.855 s, at \(1.732, 1, 0\) m"),
+    (dict(T1=np.eye(4)), "T0, T1: expected two poses .* got one of each"),
+    (dict(duration=-1), "duration: expected a number above zero"),
+    (dict(profile="linear"), "profile: expected 'cubic'"),
+    (dict(q0=[1]), "q0: expected shape"),
+])
+def test_what_cannot_be_is_refused_with_a_word(arguments, words):
+    with pytest.raises(ValueError, match=words):
+        kl.straight_path(TWO, **(dict(T0=[1, 1, 0], T1=[1, -1, 0], duration=2) | arguments))
+
+
+def test_too_few_joints_for_a_pose_are_told_so():
+    arm = kl.robots.alpha_ii()
+    T = kl.forward_kinematics(arm, arm.home + [0, 0.4, -0.8, 0.2, 0])
+    with pytest.raises(ValueError, match="5 joints do not reach every pose, leave a direction"):
+        kl.straight_path(arm, T, kl.translation([0, 80, 0]) @ T, 1)
+
+
+def test_a_line_that_needs_a_jump_says_so():
+    """A wrist whose first and third axis are one turns about the other two: not about both."""
+    half = np.pi / 2
+    wrist = kl.Arm([kl.revolute(alpha=-half), kl.revolute(alpha=half), kl.revolute()])
+    turned = [kl.homogeneous(R, [0, 0, 0]) for R in (kl.rotation_y(0.5), kl.rotation_x(0.5))]
+    weights = [0, 0, 0, 1, 1, 1]
+    path = kl.straight_path(wrist, np.eye(4), turned[0], 1, weights=weights)
+    assert path.q[-1] == pytest.approx([0, 0.5, 0])
+    with pytest.raises(ValueError, match="needs a jump of the joints at 0% of its way"):
+        kl.straight_path(wrist, np.eye(4), turned[1], 1, weights=weights)
