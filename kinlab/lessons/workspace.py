@@ -119,7 +119,6 @@ def design_judge(near: float, far: float) -> Judge:
 # ---- Exercise 3: a wall ---------------------------------------------------------------
 
 _BENDS = np.radians(np.linspace(0, 90, 91))
-_ASKEW = np.arctan2(L2 * np.sin(_BENDS), L1 + L2 * np.cos(_BENDS)).max()
 _NARROWEST = radians(0.1)
 
 
@@ -134,10 +133,10 @@ def _range(answer: Any) -> np.ndarray:
     return limits
 
 
-def _stays_above(limits: np.ndarray) -> str:
+def _stays_above(l_1: float, l_2: float, limits: np.ndarray) -> str:
     """The lowest place of the tool, at a limit of joint 1 or wherever between them it is."""
     turns = np.linspace(limits[0], limits[1], 721)[:, None]
-    height = L1 * np.sin(turns) + L2 * np.sin(turns + _BENDS)
+    height = l_1 * np.sin(turns) + l_2 * np.sin(turns + _BENDS)
     if height.min() >= -1e-3:
         return ""
     i, j = np.unravel_index(height.argmin(), height.shape)
@@ -145,29 +144,36 @@ def _stays_above(limits: np.ndarray) -> str:
             f"tool is at y = {height[i, j]:.3f} m, in the wall.")
 
 
-def _is_widest(limits: np.ndarray) -> str:
-    spare = (pi - _ASKEW) - (limits[1] - limits[0])
+def _is_widest(askew: float, limits: np.ndarray) -> str:
+    spare = (pi - askew) - (limits[1] - limits[0])
     return "" if spare <= _NARROWEST else (
         "The tool stays clear of the wall, but the range could be wider by "
         f"{degrees(spare):.3g}°.")
 
 
-_CLEAR = (_stays_above, _is_widest)
-_WALL_SLIPS = [
-    degrees_slip(_CLEAR, subject="These", hint="write np.radians([...])"),
-    ("These are the limits for an elbow that bends to the other side.",
-     lambda q: np.allclose(q, [_ASKEW, pi], atol=2e-3)),
-    ("At 180° link 1 lies along the wall; where does link 2 point once it is bent?",
-     lambda q: np.isclose(q[1], pi, atol=1e-2)),
-    ("Link 2 may point down, as long as its end stays above the wall.",
-     lambda q: np.isclose(q[1], pi / 2, atol=1e-2)),
-    ("That is for an elbow that bends as far as it likes; this one stops at 90°.",
-     lambda q: np.isclose(q[1], pi - np.arcsin(L2 / L1), atol=1e-3)),
-    ("This is the angle at which the tool appears. The upper limit is where that direction lies "
-     "along the wall: take it from 180°.", lambda q: np.isclose(q[1], _ASKEW, atol=2e-3)),
-    ("Opposite over adjacent: at 90° the tool is l_2 = 0.6 m beside the end of link 1, which is "
-     "l_1 = 1 m long.", lambda q: np.isclose(q[1], pi / 2 + _ASKEW, atol=2e-3)),
-]
+def wall_judge(l_1: float, l_2: float) -> Judge:
+    """Judge of the widest limits of joint 1 that keep the tool before a wall (m)."""
+    askew = float(np.arctan2(l_2 * np.sin(_BENDS), l_1 + l_2 * np.cos(_BENDS)).max())
+    clear = (partial(_stays_above, l_1, l_2), partial(_is_widest, askew))
+    slips = [
+        degrees_slip(clear, subject="These", hint="write np.radians([...])"),
+        ("These are the limits for an elbow that bends to the other side.",
+         lambda q: np.allclose(q, [askew, pi], atol=2e-3)),
+        ("At 180° link 1 lies along the wall; where does link 2 point once it is bent?",
+         lambda q: np.isclose(q[1], pi, atol=1e-2)),
+        ("Link 2 may point down, as long as its end stays above the wall.",
+         lambda q: np.isclose(q[1], pi / 2, atol=1e-2)),
+        ("That is for an elbow that bends as far as it likes; this one stops at 90°.",
+         lambda q: np.isclose(q[1], pi - np.arcsin(l_2 / l_1), atol=1e-3)),
+        ("This is the angle at which the tool appears. The upper limit is where that direction "
+         "lies along the wall: take it from 180°.", lambda q: np.isclose(q[1], askew, atol=2e-3)),
+        (f"Opposite over adjacent: at 90° the tool is l_2 = {l_2:g} m beside the end of link 1, "
+         f"which is l_1 = {l_1:g} m long.", lambda q: np.isclose(q[1], pi / 2 + askew, atol=2e-3)),
+    ]
+    return one_of_many(
+        _range, clear, slips=slips, noun="two limits",
+        praise="As wide as can be. The upper limit is where the bent arm points along the wall.")
+
 
 # ---- Exercises 4 and 5: the Alpha II, close to its shoulder and towards a far point -----
 
@@ -239,9 +245,7 @@ JUDGES: dict[str, Judge] = {
         praise="The area is also 4 pi l_1 l_2: for a given reach l_1 + l_2 it is largest when "
                "both links are equally long."),
     "workspace.2": design_judge(0.4, 2.2),
-    "workspace.3": one_of_many(
-        _range, _CLEAR, slips=_WALL_SLIPS, noun="two limits",
-        praise="As wide as can be. The upper limit is where the bent arm points along the wall."),
+    "workspace.3": wall_judge(L1, L2),
     "workspace.4": one_of_many(
         _POSE, _NEAR_SHOULDER, slips=_FOLD_SLIPS,
         praise="About 6.6 mm: elbow at its limit, tool folded back. Joints 1, 2 and 5 are free; "

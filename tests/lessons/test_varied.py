@@ -50,6 +50,7 @@ ANSWERS = {
                                   -asin((215 - 129.5 - height) / (2 * 177.8)), 1],
     "intelledex.4": lambda yaw: np.radians([90, 0, 90, 0, 90 - yaw, 0]),
     "workspace.2": lambda near, far: [(far - near) / 2, (far + near) / 2],
+    "workspace.3": lambda l_1, l_2: [0, pi - atan2(l_2, l_1)],
     "workspace.5": lambda ahead, high: [0, -atan2(high - 215, ahead), 0, -pi / 2, 0],
     "inverse.4": lambda x, y: two_links(x, y),
     "inverse.5": lambda x, y, z: [atan2(y, x), *straight_down(hypot(x, y), z), 0],
