@@ -177,6 +177,9 @@ _PRODUCT_HINTS = {
 
 # ---- Exercise 3: the pose that is missing --------------------------------------------------
 
+T_01 = homogeneous(rotation_2d(radians(90)), [2, 1])
+T_02 = homogeneous(rotation_2d(radians(120)), [1, 4])
+
 
 def missing_judge(T_01: np.ndarray, T_02: np.ndarray) -> Judge:
     """Judge of the pose of frame 2 seen from frame 1, both being seen from frame 0."""
@@ -205,6 +208,5 @@ JUDGES: dict[str, Judge] = {
     "notation.2": choices(
         {"meaningful": {1, 4, 5, 6}}, {1, 2, 3, 4, 5, 6}, _PRODUCT_HINTS, noun="line",
         praise="Neighbouring indices must agree. The last line is T_01 @ T_12 in disguise."),
-    "notation.3": missing_judge(homogeneous(rotation_2d(radians(90)), [2, 1]),
-                                homogeneous(rotation_2d(radians(120)), [1, 4])),
+    "notation.3": missing_judge(T_01, T_02),
 }

@@ -212,10 +212,14 @@ _FOLD_SLIPS = [
 ]
 
 
+def misses(ahead: float, high: float) -> float:
+    """How far from such a point the stretched arm ends (mm)."""
+    return float(np.linalg.norm([ahead, 0.0, high] - _SHOULDER)) - 2 * _FORE - _TOOL
+
+
 def nearest_judge(ahead: float, high: float) -> Judge:
     """Judge of the pose nearest to a point that is out of reach, at y = 0 (mm)."""
-    target, above = np.array([ahead, 0.0, high]), high - _SHOULDER[2]
-    short = float(np.linalg.norm(target - _SHOULDER)) - 2 * _FORE - _TOOL
+    target, above, short = np.array([ahead, 0.0, high]), high - _SHOULDER[2], misses(ahead, high)
     conditions = (within_limits(_ARM), _close(target, short, "the target"))
     slips = [
         degrees_slip(conditions),
