@@ -15,7 +15,8 @@ import { fill, store } from "./table_store.js";
 const GREEK = { theta: "θ", alpha: "α", d: "d", a: "a" };
 /** @type {Record<string, string>} */
 const NAMES = { theta: "joint angle", d: "link offset", a: "link length", alpha: "link twist",
-                low: "lower limit", high: "upper limit", home: "home" };
+                low: "lower limit", high: "upper limit", home: "home",
+                speed: "largest speed", acceleration: "largest acceleration" };
 /** @type {Record<string, string>} */
 const TITLES = { standard: "standard (Spong, Schilling)", modified: "modified (Craig)" };
 const PANELS = [["closed", "Closed form", "The arm matrix in closed form"],
@@ -23,6 +24,7 @@ const PANELS = [["closed", "Closed form", "The arm matrix in closed form"],
                 ["signs", "Sign pattern", "Only the signs of the table's numbers"],
                 ["compare", "", "The same numbers in the other convention, side by side"]];
 const LIMITS = ["low", "high", "home"];
+const RATES = ["speed", "acceleration"];            // shown where a table has any
 const KINDS = ["revolute", "prismatic", "fixed"];
 
 /**
@@ -117,8 +119,11 @@ export class Editor {
   /** Show the state: anew where rows or columns changed, else only the cells that did. */
   show() {
     const { state } = this;
-    const hidden = state.rows.some(({ cells }) => LIMITS.some((column) => cells[column]?.error));
-    this.columns = [...state.columns, ...(this.limits || hidden ? LIMITS : [])];
+    const { rows } = state;
+    const rates = RATES.filter((column) => rows.some(({ cells }) => cells[column]));
+    const others = [...LIMITS, ...rates];
+    const hidden = rows.some(({ cells }) => others.some((column) => cells[column]?.error));
+    this.columns = [...state.columns, ...(this.limits || hidden ? others : [])];
     const shape = JSON.stringify([
       state.rows.map(({ key, kind, name, flip, locked }) => [key, kind, name, flip, locked]),
       this.columns, state.convention, state.angles, state.unit, state.units,
@@ -355,7 +360,7 @@ export class Editor {
       const input = typed(`${row.key} ${column}`, `${symbol}, ${meaning}, row ${i}, ${told.unit}`,
         told.text, (text) => this.send("with_cell", this.place(row.key), column, text));
       input.dataset.reason = reason;
-      if (LIMITS.includes(column)) input.placeholder = column === "home" ? "0" : "none";
+      if (!GREEK[column]) input.placeholder = column === "home" ? "0" : "none";
       const room = this.state.rows.some(({ variable }) => variable === column)
         ? [make("span", { class: "kl-room" })] : [];   // cells of a column stand in line
       return make("td", { class: star ? "kl-starred" : "" }, ...(star ? [this.star(row)] : room),

@@ -12,7 +12,7 @@ from ..arms.link import FIXED, KINDS, PARAMETERS
 from .cells import angle_text, is_plain, line, number_text
 from .ends import ENDS, End
 from .numbers import names_in, parse_number
-from .table import LIMITS, MOST_LENGTHS, MOST_ROWS, DHTable, Place, Row
+from .table import LIMITS, MOST_LENGTHS, MOST_ROWS, RATES, DHTable, Place, Row
 
 LONGEST_FILE = 100_000
 _MATH = ("cos", "pi", "radians", "sin", "sqrt")
@@ -66,6 +66,9 @@ def _arguments(table: DHTable, i: int, row: Row) -> Iterator[str]:
             yield f"{column}={_cell(table, i, row, column)}"
     if row.low:
         yield f"limits=({_cell(table, i, row, 'low')}, {_cell(table, i, row, 'high')})"
+    for column in RATES:
+        if getattr(row, column):
+            yield f"{column}={_cell(table, i, row, column)}"
     if row.name:
         yield f"name={_quoted(row.name)}"
     if row.flip:
@@ -212,7 +215,7 @@ class _Reader:
         table = DHTable(tuple(map(self.row, rows)), angles=self.angles)
         for word, value in given.items():
             table = self.told(table, word, value)
-        used = {name for row in table.rows for column in ("d", "a", *LIMITS)
+        used = {name for row in table.rows for column in ("d", "a", *LIMITS, *RATES)
                 for name in names_in(getattr(row, column))}
         named = [pair for pair in self.texts.items() if pair[0] in used]
         if len(named) > MOST_LENGTHS:
@@ -262,8 +265,10 @@ class _Reader:
                 return row.with_cells({column: self.cell(row, column, value)})
             case "name", ast.Constant(value=str(name)):
                 return replace(row, name=line(name))
-            case "name" | "limits", ast.Constant(value=None):
+            case "name" | "limits" | "speed" | "acceleration", ast.Constant(value=None):
                 return row
+            case ("speed" | "acceleration") as rate, _ if row.kind != FIXED:
+                return row.with_cells({rate: self.cell(row, rate, value)})
             case "flip", ast.Constant(value=bool(flip)) if row.kind != FIXED:
                 return replace(row, flip=flip)
             case "limits", _ if len(ends := self.items(value)) == 2:

@@ -5,10 +5,11 @@ import csv
 import io
 import re
 
+from ..arms.link import PARAMETERS
 from .ends import ENDS
-from .table import COLUMNS, DHTable
+from .table import LIMITS, RATES, DHTable
 
-_OTHERS = ("low", "high", "home", "name")  # columns that are left out where all is empty
+_OTHERS = (*LIMITS, *RATES, "name")  # columns that are left out where all is empty
 # A spreadsheet works out what begins with such a sign, and may ask the network or run a command.
 # An apostrophe before it makes it text. Sums of numbers and names, such as -d2, do no harm.
 _WORKED_OUT = re.compile("'*[=+@\uff1d\uff0b\uff20\uff0d-]")
@@ -29,7 +30,7 @@ def to_csv(table: DHTable) -> str:
     revolute,0,0,1,0
     """
     flips = ["flip"] * any(row.flip for row in table.rows)
-    columns = [*COLUMNS[:4], *other_columns(table)]
+    columns = [*PARAMETERS, *other_columns(table)]
     rows = [[row.kind, *["-" * row.flip for _ in flips],
              *(getattr(row, column) for column in columns)] for row in table.rows]
     lines = [*settings(table), ["joint", *flips, *columns], *rows]

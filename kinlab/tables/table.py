@@ -33,7 +33,8 @@ from .spelling import plain
 from .variables import variable
 
 LIMITS = ("low", "high", "home")
-COLUMNS = PARAMETERS + LIMITS
+RATES = ("speed", "acceleration")
+COLUMNS = PARAMETERS + LIMITS + RATES
 MOST_ROWS = MOST_LENGTHS = 60
 _NARROWEST = 1e-6  # rad or length, between the limits of a joint
 _keys = count()
@@ -44,8 +45,9 @@ class Row:
     """One row: its type and the text of its cells.
 
     The cell of the joint variable (theta or d) holds the joint's offset; a fixed row has none.
-    Limits and home may be empty; two equal limits lock the joint. A joint with `flip` counts the
-    other way. `key` stays with a row while rows come, go and move.
+    Limits, home and rates may be empty; two equal limits lock the joint. The rates, its largest
+    speed and acceleration, are in the joint's unit per s and per s^2. A joint with `flip` counts
+    the other way. `key` stays with a row while rows come, go and move.
     """
 
     kind: str = REVOLUTE
@@ -58,6 +60,8 @@ class Row:
     home: str = ""
     name: str = ""
     flip: bool = False
+    speed: str = ""
+    acceleration: str = ""
     key: int = field(default_factory=_keys.__next__, compare=False)
 
     @property
@@ -70,8 +74,9 @@ class Row:
         return replace(self, **cells)
 
     def is_angle(self, column: str) -> bool:
-        """Whether a column holds an angle: those of limits and home do as the joint does."""
-        return column in ("theta", "alpha") or (column in LIMITS and self.kind == REVOLUTE)
+        """Whether a column holds an angle: those of limits, home and rates do as the joint does."""
+        its_own = column in LIMITS or column in RATES
+        return column in ("theta", "alpha") or (its_own and self.kind == REVOLUTE)
 
 
 class Place(NamedTuple):
@@ -148,7 +153,7 @@ class DHTable:
     def hints(self) -> dict[Place, str]:
         angles = {Place(i, column): getattr(row, column)
                   for i, row in enumerate(self.rows, start=1)
-                  for column in COLUMNS if row.is_angle(column)}
+                  for column in PARAMETERS + LIMITS if row.is_angle(column)}
         angles |= {Place(end, column): text for end, frame in self._ends() if frame.texts
                    for column, text in zip(frame.columns, frame.texts) if column in TURNS}
         return {place: hint for place, text in angles.items()
@@ -185,6 +190,7 @@ class DHTable:
                     read = self._reading_of(row.is_angle(column), names)
                     _note(Place(i, column), read, text, values, errors)
             _check_limits(i, row, values, errors)
+            _check_rates(i, row, values, errors)
         for end, frame in self._ends():
             for column, text in frame.cells(self.angles).items() if frame.texts else ():
                 read = self._reading_of(column in TURNS, names)
@@ -233,7 +239,8 @@ class DHTable:
         theta, d, a, alpha = (self.values[Place(i, column)] for column in PARAMETERS)
         low, high = Place(i, "low"), Place(i, "high")
         limits = (self.values[low], self.values[high]) if row.low else None
-        return Link(row.kind, theta, d, a, alpha, limits, row.name or None, row.flip)
+        rates = {column: self.values.get(Place(i, column)) for column in RATES}
+        return Link(row.kind, theta, d, a, alpha, limits, row.name or None, row.flip, **rates)
 
     # ---- edits: each gives a new table, and refuses what makes no table at all ----
 
@@ -270,12 +277,12 @@ class DHTable:
         return self.with_frame(end, frame.with_cells({column: line(text)}, self.angles))
 
     def with_kind(self, row: int, kind: str) -> DHTable:
-        """The joint's type changed. Its limits and home, in another unit now, are emptied."""
+        """The joint's type changed. Limits, home and rates, in another unit now, are emptied."""
         inputs.choice("kind", kind, KINDS)
         if self._row(row).kind == kind:
             return self
         flip = self._row(row).flip and kind != FIXED
-        return self._with(row, kind=kind, low="", high="", home="", flip=flip)
+        return self._with(row, kind=kind, flip=flip, **dict.fromkeys(LIMITS + RATES, ""))
 
     def with_flip(self, row: int, flip: bool) -> DHTable:
         """The joint made to count the other way, or as z says again."""
@@ -426,6 +433,7 @@ def _row(link: Link, home: float, angles: str) -> Row:
     values = {parameter: getattr(link, parameter) for parameter in PARAMETERS}
     at_home = home == (link.lock or 0.0)
     values |= {"low": low, "high": high, "home": None if at_home else home}
+    values |= {rate: getattr(link, rate) for rate in RATES}
     texts = {column: "" if value is None else angle_text(value, angles) if row.is_angle(column)
              else number_text(value) for column, value in values.items()}
     return row.with_cells(texts | {"name": line(link.name or "")})
@@ -450,13 +458,19 @@ def _check_limits(i: int, row: Row, values: dict, errors: dict) -> None:
     low, high = (values.get(Place(i, column)) for column in ("low", "high"))
     if row.kind == FIXED:
         errors |= {Place(i, column): "a fixed row has no joint; leave this cell empty"
-                   for column in LIMITS if getattr(row, column)}
+                   for column in LIMITS + RATES if getattr(row, column)}
     elif bool(row.low) != bool(row.high):
         column = "high" if row.low else "low"
         errors[Place(i, column)] = "expected both limits, or neither"
     elif low is not None and high is not None and low != high and high - low < _NARROWEST:
         errors[Place(i, "high")] = ("expected an upper limit above the lower one, or equal to it: "
                                     "that locks the joint")
+
+
+def _check_rates(i: int, row: Row, values: dict, errors: dict) -> None:
+    for place in (Place(i, column) for column in RATES):
+        if row.kind != FIXED and values.get(place, 1.0) <= 0:
+            errors[place] = "expected a number above 0; leave the cell empty if it is not known"
 
 
 def _position(name: str, value: Any, last: int) -> int:

@@ -192,7 +192,8 @@ class DHTableEditor(ArmView):
         return self._said
 
     def set(self, row: int | str, column: str, text: str) -> None:
-        """Type into a cell: 'theta', 'd', 'a', 'alpha', 'low', 'high' or 'home' of a row.
+        """Type into a cell: 'theta', 'd', 'a', 'alpha', 'low', 'high', 'home', 'speed' (the
+        largest, per s) or 'acceleration' (per s^2) of a row.
 
         Row "base" or "tool" is that frame: 'x', 'y', 'z' and the turns 'roll', 'pitch', 'yaw'
         about the fixed axes x, y and z, in this order.

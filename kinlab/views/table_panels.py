@@ -13,28 +13,32 @@ from ..tables.cells import MILLIMETRES, angle_text, is_plain
 from ..tables.ends import ENDS, TURNS, End
 from ..tables.numbers import in_python, names_in
 from ..tables.other_convention import OtherReading, frame_text
-from ..tables.table import COLUMNS, LIMITS, DHTable, Place, Row
+from ..tables.table import LIMITS, RATES, DHTable, Place, Row
+
+_PER = {"speed": "/s", "acceleration": "/s²"}
 
 
 def state(table: DHTable) -> dict:
     units = [table.unit] if table.unit not in MILLIMETRES else list(
         dict.fromkeys(["mm", "m", table.unit]))
     joints = printed.joint_numbers(table.rows)
+    rates = [rate for rate in RATES if any(getattr(row, rate) for row in table.rows)]
     return {
         "convention": table.convention, "conventions": list(CONVENTIONS), "angles": table.angles,
         "unit": table.unit, "units": units, "ends": {end: _end(table, end) for end in ENDS},
         "columns": list(printed.HEADS[table.convention]),
-        "rows": [_row(table, row, i, joint)
+        "rows": [_row(table, row, i, joint, rates)
                  for i, (row, joint) in enumerate(zip(table.rows, joints), start=1)],
         "lengths": [{"name": name, "text": text, "error": table.errors.get(Place(k, "length"), "")}
                     for k, (name, text) in enumerate(table.lengths, start=1)],
         "wrong": len(table.errors)}
 
 
-def _row(table: DHTable, row: Row, i: int, joint: int) -> dict:
+def _row(table: DHTable, row: Row, i: int, joint: int, rates: list[str]) -> dict:
     low, high = (table.values.get(Place(i, column)) for column in ("low", "high"))
     has_limits = row.variable or any(getattr(row, column) for column in LIMITS)
-    columns = COLUMNS if has_limits else PARAMETERS
+    columns = [*PARAMETERS, *(LIMITS if has_limits else ()), *(
+        rate for rate in rates if row.variable or getattr(row, rate))]
     return {"key": row.key, "kind": row.kind, "variable": row.variable, "name": row.name,
             "joint": joint, "flip": row.flip, "locked": low is not None and low == high,
             "cells": {column: _cell(table, Place(i, column), getattr(row, column),
@@ -52,13 +56,14 @@ def _end(table: DHTable, end: str) -> dict | None:
 
 
 def _cell(table: DHTable, place: Place, text: str, angle: bool) -> dict:
-    value = table.values.get(place)
+    value, per = table.values.get(place), _PER.get(place.column, "")
+    unit = (table.angles if angle else table.unit) + per
     said = is_plain(text) and not (angle and table.angles == "rad" and value)
     reads = ""
     if value is not None and text and not said:
-        reads = f"{float(angle_text(value, 'deg')):.5g}°" if angle else f"{value:.5g}"
+        reads = (f"{float(angle_text(value, 'deg')):.5g}°" if angle else f"{value:.5g}") + per
     return {"text": text, "error": table.errors.get(place, ""), "reads": reads,
-            "hint": table.hints.get(place, ""), "unit": table.angles if angle else table.unit}
+            "hint": table.hints.get(place, ""), "unit": unit}
 
 
 def table_text(table: DHTable) -> list[list[str]]:

@@ -434,6 +434,21 @@ def test_a_joint_is_locked_and_unlocked(table):
     assert python(editor, "editor.arm.links[1].limits") == "None"
 
 
+def test_speeds_stand_beside_the_limits(table):
+    editor = table(CELL.replace("alpha_ii", "ur5"))
+    speed = editor.get_by_label("row 2, largest speed, row 2, deg/s")
+    expect(speed).to_have_count(0)
+    button(editor, "Limits, home").click()
+    expect(speed).to_have_value("180")
+    expect(editor.get_by_role("columnheader", name="largest acceleration")).to_have_count(0)
+    type_in(speed, "-90")
+    expect(speed).to_have_attribute("aria-invalid", "true")
+    expect(editor.get_by_role("alert").filter(has_text="above 0")).to_have_count(1)
+    type_in(speed, "90")
+    expect(speed).not_to_have_attribute("aria-invalid", "true")
+    assert python(editor, "round(editor.arm.links[1].speed, 6)") == "1.570796"
+
+
 def test_a_tool_is_typed(table):
     editor = table()
     page = editor.page

@@ -15,6 +15,7 @@ import kinlab as kl
 from kinlab.arms.printed import sign_rows
 from kinlab.tables.as_code import from_code, to_code
 from kinlab.tables.as_csv import to_csv
+from kinlab.tables.as_document import to_latex, to_markdown
 from kinlab.tables.cells import (
     angle_in,
     angle_text,
@@ -29,8 +30,9 @@ from kinlab.tables.table import DHTable, Place, Row
 
 EDITS = int(os.environ.get("KINLAB_EDITS", 4000))
 SEQUENCE = 40
-ROBOTS = [kl.robots.two_link, kl.robots.practical_six_link, kl.robots.cylindrical,
+COURSE = [kl.robots.two_link, kl.robots.practical_six_link, kl.robots.cylindrical,
           kl.robots.exam_2018, kl.robots.alpha_ii, kl.robots.intelledex_660t]
+ROBOTS = [getattr(kl.robots, name) for name in kl.robots.__all__]
 every_robot = pytest.mark.parametrize("robot", ROBOTS, ids=lambda robot: robot.__name__)
 OTHER = {"standard": "modified", "modified": "standard"}
 NAMES = {"d2": 500.0, "l1": 0.3}
@@ -44,8 +46,8 @@ def read(text):
 def same_arm(a, b, tolerance=0.0):
     """Equal in every number and name."""
     def told(arm):
-        links = [(link.theta, link.d, link.a, link.alpha, *(link.limits or ()))
-                 for link in arm.links]
+        links = [(link.theta, link.d, link.a, link.alpha, *(link.limits or ()), link.speed or 0,
+                  link.acceleration or 0) for link in arm.links]
         return np.concatenate([*links, arm.base.flat, arm.tool.flat, arm.home])
 
     words = [[(arm.name, arm.unit, arm.convention), *((link.kind, link.name) for link in arm.links)]
@@ -201,8 +203,67 @@ def test_files_bring_the_arm_back(robot):
 @every_robot
 def test_the_code_is_what_python_runs(robot):
     space = {}
-    exec(to_code(DHTable.of(robot())), space)  # written by kinlab, from the course's own arms
-    assert same_arm(space["arm"], robot())
+    exec(to_code(DHTable.of(robot())), space)  # written by kinlab, from its own arms
+    assert same_arm(space["arm"], robot(), 0 if robot in COURSE else 1e-15)
+
+
+# ---- the largest speed and acceleration of a joint ----
+
+FAST = DHTable((Row(a="0.4", speed="180", acceleration="pi/2"), Row("prismatic", low="0", high="1",
+                                                                  speed="0.25", name="lift")))
+
+
+def test_rates_are_read_in_the_unit_of_the_joint():
+    turning, sliding = FAST.arm.links
+    assert (turning.speed, turning.acceleration) == (math.pi, math.pi / 2)
+    assert (sliding.speed, sliding.acceleration) == (0.25, None)
+    assert FAST.values[Place(1, "speed")] == math.pi
+    assert not FAST.in_angles("rad").with_cell(1, "speed", "20").hints  # no angle: no word
+
+
+def test_rates_stand_in_files_and_come_back():
+    assert to_csv(FAST) == (
+        "convention,standard\nangles,deg\nlengths,m\n"
+        "joint,theta,d,a,alpha,low,high,speed,acceleration,name\n"
+        "revolute,0,0,0.4,0,,,180,pi/2,\nprismatic,0,0,0,0,0,1,0.25,,lift\n")
+    assert "kl.revolute(a=0.4, speed=radians(180), acceleration=pi/2)," in to_code(FAST)
+    for write in (to_csv, to_markdown, to_latex):
+        assert read(write(FAST)) == FAST
+    assert from_code(to_code(FAST)) == FAST
+    named = "v = 0.3\nkl.Arm([kl.prismatic(speed=v, acceleration=None)])"
+    assert from_code(named).arm.links[0].speed == 0.3
+
+
+@pytest.mark.parametrize("write", [to_csv, to_markdown, to_latex, to_code])
+def test_a_table_without_rates_says_nothing_of_them(write):
+    for robot in (*COURSE, kl.robots.puma_560, kl.robots.stanford):
+        assert "speed" not in write(DHTable.of(robot())) and "accel" not in write(
+            DHTable.of(robot()))
+
+
+def test_rates_follow_their_units_and_their_joint():
+    assert FAST.in_angles("rad").rows[0].speed == "pi"
+    assert FAST.in_unit("mm").rows[1].speed == "250"
+    assert FAST.in_unit("mm").in_angles("rad").in_unit("m").in_angles("deg").arm.links \
+        == FAST.arm.links
+    slides = FAST.with_kind(1, "prismatic").rows[0]  # its numbers were of another unit
+    assert (slides.speed, slides.acceleration) == ("", "")
+    for convention in ("modified", "standard"):
+        moved = FAST.converted_to(convention).arm
+        assert [link.speed for link in moved.links] == [math.pi, 0.25]
+    assert FAST.with_row_moved(2, 1).arm.links[0].speed == 0.25
+
+
+@pytest.mark.parametrize("text, reason", [
+    ("0", "expected a number above 0; leave the cell empty if it is not known"),
+    ("-180", "expected a number above 0"), ("fast", "expected a number such as")])
+def test_a_rate_that_is_none_is_marked(text, reason):
+    for column in ("speed", "acceleration"):
+        wrong = FAST.with_cell(1, column, text)
+        assert list(wrong.errors) == [Place(1, column)] and wrong.arm is None
+        assert reason in wrong.errors[Place(1, column)]
+    flange = replace(FAST, rows=(*FAST.rows, Row("fixed", speed="1")))
+    assert flange.errors == {Place(3, "speed"): "a fixed row has no joint; leave this cell empty"}
 
 
 @given(arms(rows=st.lists(joints(), min_size=1, max_size=7)))

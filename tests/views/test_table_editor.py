@@ -439,6 +439,21 @@ def test_a_joint_is_locked_where_it_is(editor):
     assert "got a fixed row" in tell(editor, "lock", 3)["said"] and editor.table is before
 
 
+def test_rates_have_cells_where_a_table_has_any(editor):
+    plain = ["theta", "d", "a", "alpha", "low", "high", "home"]
+    state = tell(editor, "with_kind", 3, "fixed")
+    assert [list(row["cells"]) for row in state["rows"][1:3]] == [plain, plain[:4]]
+    state = tell(editor, "with_cell", 2, "speed", "pi/2")
+    assert [list(row["cells"]) for row in state["rows"][:3]] == [
+        [*plain, "speed"], [*plain, "speed"], plain[:4]]
+    assert state["rows"][1]["cells"]["speed"] == {
+        "text": "pi/2", "error": "", "reads": "90°/s", "hint": "", "unit": "deg/s"}
+    assert editor.arm.links[1].speed == pytest.approx(math.pi / 2)
+    state = tell(editor, "with_cell", 2, "acceleration", "-1")
+    assert state["wrong"] == 1 and "above 0" in state["rows"][1]["cells"]["acceleration"]["error"]
+    assert state["rows"][0]["cells"]["acceleration"]["unit"] == "deg/s²"
+
+
 def test_limits_of_a_fixed_row_are_marked(editor):
     state = tell(editor, "load", "joint,theta,d,a,alpha,low,high\nrevolute,0,1,0,90,,\n"
                                  "fixed,0,0,1,0,1,2\n")
