@@ -36,6 +36,8 @@ _NAMES = {
     "predictions": ("predict",),
     "arms.shown": ("show",),
     "views.table_editor": ("DHTableEditor",),
+    "urdf.read": ("from_urdf", "urdf_frames"),
+    "urdf.write": ("to_urdf",),
 }
 _HOME = {name: module for module, names in _NAMES.items() for name in names}
 _MODULES = {"exercises": "exercises", "lessons": "lessons", "robots": "arms.robots"}

@@ -21,6 +21,9 @@ TWO = kl.robots.two_link()
 EYE = np.eye(4)
 FLAT = kl.zyz_angles(np.eye(3))
 LINKS = [kl.revolute(), kl.prismatic()]
+FORK = """<robot name="Fork"> <link name="0"/> <link name="left"/> <link name="right"/>
+    <joint name="l" type="continuous"> <parent link="0"/> <child link="left"/> </joint>
+    <joint name="r" type="continuous"> <parent link="0"/> <child link="right"/> </joint> </robot>"""
 
 HOME = ARM.home
 POSE = kl.forward_kinematics(ARM, [0.1] * 5)
@@ -142,6 +145,11 @@ OTHERS = {
     "kl.closed_form arm": kl.closed_form,
     "kl.to_modified arm": kl.to_modified,
     "kl.to_standard arm": kl.to_standard,
+    "kl.to_urdf arm": kl.to_urdf,
+    "kl.from_urdf path_or_text": kl.from_urdf,
+    "kl.urdf_frames path_or_text": kl.urdf_frames,
+    "kl.from_urdf tip": lambda x: kl.from_urdf(FORK, x),
+    "kl.urdf_frames tip": lambda x: kl.urdf_frames(FORK, x),
 }
 WORDS = {
     "kl.rpy_angles order": lambda x: kl.rpy_angles(np.eye(3), x),

@@ -1,0 +1,143 @@
+"""The public way in: a robot's URDF as an arm, with a word about what is not as in the file."""
+from __future__ import annotations
+
+import math
+import os
+from collections.abc import Iterator
+
+from ..arms import inputs
+from ..arms.arm import Arm
+from ..arms.rounded import meant
+from .chain import Chain, chain_of
+from .frames import UrdfFrames, frames_of
+from .robot import CONTINUOUS, listed, robot_of
+
+
+def from_urdf(path_or_text: str | os.PathLike | bytes, tip: str | None = None) -> Arm:
+    """The arm that a URDF file describes, with a Denavit-Hartenberg table found for it.
+
+    Parameters
+    ----------
+    path_or_text : str, path or bytes
+        The name of a URDF file, or what stands in it.
+    tip : str, optional
+        The link that is the tool. A robot with one end needs none; where it has branches, fingers
+        or cameras, the error says which ends there are.
+
+    Returns
+    -------
+    Arm
+        In metres and radians, its base the file's root. `forward_kinematics(arm, q)` is the pose of
+        the tip in the root as the file has it, to 1e-9, with the same q. It has the file's names,
+        limits and speeds; its home is 0, or the limit that is nearest to 0.
+
+    Raises
+    ------
+    ValueError
+        If the file cannot be read, is no robot, has no way to the tip, or has a joint on it that
+        no serial arm has (floating, planar, mimic).
+
+    See Also
+    --------
+    urdf_frames : which link frames are other ones than the file's.
+    to_urdf : the way back.
+
+    Notes
+    -----
+    Rows come from the common normals of the joints' axes (Spong, Hutchinson and Vidyasagar, section
+    3.2). Fixed joints are part of the links. The convention is the one that leaves less over for
+    the matrices of base and tool; if both fit alike, modified where the frames are the file's
+    own, else standard. A joint whose axis points against the one before it is flipped. Axes that
+    are almost parallel have their common normal far away: a fixed row tilts them instead.
+
+    A file that declares a document type or an entity is refused, and nothing that it names is
+    opened.
+
+    Examples
+    --------
+    >>> arm = from_urdf('''<robot name="Crane"> <link name="floor"/> <link name="post"/>
+    ...   <link name="hook"/>
+    ...   <joint name="turn" type="continuous"> <parent link="floor"/> <child link="post"/>
+    ...     <origin xyz="0 0 0.5"/> <axis xyz="0 0 1"/> </joint>
+    ...   <joint name="reach" type="prismatic"> <parent link="post"/> <child link="hook"/>
+    ...     <origin rpy="0 1.5707963267948966 0"/> <axis xyz="0 0 1"/>
+    ...     <limit lower="0.4" upper="1"/> </joint> </robot>''')
+    >>> arm
+    Crane: standard DH, lengths in m, * marks the joint variable
+    i          θ    d  a    α
+    1  θ1* + 90°  0.5  0  90°
+    2       -90°  d2*  0   0°
+    >>> arm.home
+    array([0. , 0.4])
+    """
+    chain = chain_of(robot_of(path_or_text), tip)
+    frames = frames_of(chain)
+    for remark in (*_of_limits(chain), *_of_frames(frames), *_of_angles(frames.arm)):
+        inputs.note(f"from_urdf: {remark}")
+    return frames.arm
+
+
+def urdf_frames(path_or_text: str | os.PathLike | bytes, tip: str | None = None) -> UrdfFrames:
+    """Which frames of `from_urdf`'s arm differ from the link frames of the file.
+
+    A URDF puts a link's frame on the joint that moves it, turned in any way. A DH table has rules
+    for its frames, so most of them stand elsewhere on the same link.
+
+    Parameters
+    ----------
+    path_or_text, tip
+        As in `from_urdf`.
+
+    Returns
+    -------
+    UrdfFrames
+        It prints a line for each link.
+
+    Raises
+    ------
+    ValueError
+        As `from_urdf`.
+
+    Examples
+    --------
+    >>> urdf_frames('''<robot name="Arm"> <link name="base"/> <link name="upper arm"/>
+    ...   <joint name="shoulder" type="continuous"> <parent link="base"/> <child link="upper arm"/>
+    ...     <axis xyz="0 0 1"/> </joint>
+    ...   <link name="tool"/> <joint name="end" type="fixed"> <parent link="upper arm"/>
+    ...     <child link="tool"/> <origin xyz="0.3 0 0"/> </joint> </robot>''')
+    Arm in standard DH: modified would need a matrix for the tool, too.
+    link       frame  moved by (m)  turned by
+    base           0      the same
+    upper arm      1  (-0.3, 0, 0)
+    tool           1      the same
+    """
+    return frames_of(chain_of(robot_of(path_or_text), tip))
+
+
+def _of_limits(chain: Chain) -> Iterator[str]:
+    """A sentence on joints whose limits the file leaves open."""
+    limits = {chain.joints[k].name: chain.joints[k].element.find("limit") for k in chain.moving
+              if chain.joints[k].kind != CONTINUOUS}
+    if without := [name for name, limit in limits.items() if limit is None]:
+        yield f"{listed(without)} got no limits, as the file has no <limit> there"
+    if still := [name for name, limit in limits.items() if limit is not None
+                 and not {"lower", "upper"} & {*limit.keys()}]:
+        yield (f"{listed(still)} cannot move, as a <limit> without lower and upper is 0 to 0 in "
+               "URDF; write both")
+
+
+def _of_frames(frames: UrdfFrames) -> Iterator[str]:
+    """A sentence on convention and frames, where some are not the file's."""
+    if differ := len(frames.differ):
+        yield (f"{frames.arm.convention} DH, as {frames.why}; the frames of {differ} of "
+               f"{len(frames.links)} links are not the file's own: kl.urdf_frames(...) lists them")
+
+
+def _of_angles(arm: Arm) -> Iterator[str]:
+    """A sentence on the first angle that came rounded."""
+    rounded = [(row, angle) for row, link in enumerate(arm.links, start=1)
+               for angle in (link.alpha, link.theta) if meant(angle)]
+    for row, angle in rounded[:1]:
+        yield (f"row {row} has an angle of {math.degrees(angle):.10g}°, as the file's angles are "
+               f"rounded; if {meant(angle)} is meant, give them more digits (1.5707963267948966 "
+               "for pi/2)")
