@@ -36,15 +36,13 @@ function damped(columns, e, damping) {
 }
 
 /**
- * A joint value within its range; a joint that turns right round has no end.
+ * A joint value within its range; a joint that turns right round, once or more often, has no end.
  * @param {number} value
  * @param {Pick<Knob, "low" | "high" | "unit">} knob
  */
 export function kept(value, { low, high, unit }) {
-  if (unit === "°" && high - low >= FULL_TURN) {
-    const turns = Math.floor((value - low) / (2 * Math.PI));
-    return value - 2 * Math.PI * turns;
-  }
+  const round = unit === "°" ? 2 * Math.PI * Math.floor((high - low) / FULL_TURN) : 0;
+  if (round) return value - round * Math.floor((value - low) / round);
   return clip(value, low, high);
 }
 

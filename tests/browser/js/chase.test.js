@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
 
-import { follower, reach } from "../../../kinlab/browser/chase.js";
+import { follower, reach, kept } from "../../../kinlab/browser/chase.js";
 import { frames } from "../../../kinlab/browser/frames.js";
 
 const { motions } = JSON.parse(
@@ -57,6 +57,15 @@ test("a joint at its limit leaves the work to the others", () => {
 test("a joint that turns right round has no end", () => {
   const { q } = reach(scene(), [3.1, 0.3, 0, 0], [2 * Math.cos(3.3), 2 * Math.sin(3.3), 0]);
   assert.ok(q[0] >= -Math.PI && q[0] < -2.9, String(q));
+});
+
+test("a joint that turns round twice stays where it is, and goes on past its ends", () => {
+  const twice = { low: -2 * Math.PI, high: 2 * Math.PI, unit: "°" };
+  for (const value of [-6, -1, 0, 1, 6]) assert.equal(kept(value, twice), value);
+  assert.ok(Math.abs(kept(6.5, twice) - (6.5 - 4 * Math.PI)) < 1e-12);
+  assert.ok(Math.abs(kept(-6.5, twice) - (4 * Math.PI - 6.5)) < 1e-12);
+  const more = { low: -3.5, high: 3.5, unit: "°" };       // once, and a little
+  assert.ok(Math.abs(kept(3.6, more) - (3.6 - 2 * Math.PI)) < 1e-12);
 });
 
 /** Joints that keep what is written, and what a follower told. */
