@@ -10,6 +10,7 @@ from kinlab.lessons import (
     notation,
     rotation,
     translation,
+    turns,
     two_link,
     workspace,
 )
@@ -21,7 +22,8 @@ STANDING = {  # the room stands still in these
     "order": homogeneous.order, "fixed": homogeneous.fixed, "rules": dh_recipe.rules_view,
     "zyz": n_link.zyz_view, "flat": n_link.flat_view,
     **{order: lambda order=order: n_link.four_motions(order) for order in ("standard", "modified")},
-    "ring": workspace.ring_view}
+    "ring": workspace.ring_view, "books": turns.books_view, "attitude": turns.attitude_view,
+    "gimbal": turns.gimbal_view, "one axis": turns.axis_view}
 FOLLOWED = {
     "sliding": translation.sliding_view, "riding": translation.riding_view,
     "two slides": translation.chain_view, "pose": notation.pose_view,

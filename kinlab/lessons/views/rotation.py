@@ -139,7 +139,7 @@ def book_view() -> LiveView:
         book = sketch.move(TRANSLATE, X, where, parent=0)
         for axis, start in turns:  # a turn about axes of the room stands left of the one before
             book = sketch.move(ROTATE, axis, 0, knob, gain=pi / 2, start=start)
-        _book(sketch, name, book)
+        draw_book(sketch, name, book)
         sketch.axes(name, book, 1.15)
         sketch.reading(name, f"book {name} ({words}): z{name} = {{}}",
                        sketch.vector(book, at(book, (0, 0, 1))[0]))
@@ -218,7 +218,7 @@ def _square_marks(sketch: Sketch, theta: int, mirror: int) -> None:
                         "arc", part="right angle", when=(theta, low, high))
 
 
-def _book(sketch: Sketch, name: str, frame: int) -> None:
+def draw_book(sketch: Sketch, name: str, frame: int) -> None:
     """A closed book about the origin of a frame, its cover on the side of z."""
     body, (w, h, t) = sketch.body(), _BOOK
     corners = [(x, y, z) for z in (-t, t) for x, y in ((-w, -h), (w, -h), (w, h), (-w, h))]
