@@ -113,7 +113,8 @@ const tucked = ({ p, q, r }, at, gap) => gap < TUCKED * r &&
   Math.min(norm(minus(at, p)), norm(minus(at, q))) > ENDS * r;
 
 /**
- * The points of two segments that are nearest to each other.
+ * The points of two segments that are nearest to each other; of parallel ones, those in the middle
+ * of what lies side by side: so it is all the same which of the two comes first.
  * @param {Triple} p
  * @param {Triple} q
  * @param {Triple} s
@@ -124,7 +125,8 @@ function nearest(p, q, s, t) {
   const d = minus(q, p), e = minus(t, s), r = minus(p, s);
   const dd = dot(d, d), ee = dot(e, e), de = dot(d, e), dr = dot(d, r), er = dot(e, r);
   const square = dd * ee - de * de;
-  const first = square > 1e-9 * dd * ee ? clip((de * er - dr * ee) / square, 0, 1) : 0.5;
+  const beside = dd ? (clip(-dr / dd, 0, 1) + clip((de - dr) / dd, 0, 1)) / 2 : 0;
+  const first = square > 1e-9 * dd * ee ? clip((de * er - dr * ee) / square, 0, 1) : beside;
   const along = ee ? clip((de * first + er) / ee, 0, 1) : 0;
   return [plus(p, times(d, dd ? clip((de * along - dr) / dd, 0, 1) : 0)), plus(s, times(e, along))];
 }

@@ -117,13 +117,16 @@ def _tucked(p: np.ndarray, q: np.ndarray, r: np.ndarray, at: np.ndarray,
 
 def _nearest(p: np.ndarray, q: np.ndarray, s: np.ndarray,
              t: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """The points of segments that are nearest to each other."""
+    """The points of segments that are nearest to each other; of parallel ones, those in the middle
+    of what lies side by side: so it is all the same which of the two comes first.
+    """
     d, e, r = q - p, t - s, p - s
     dd, ee, de, dr, er = (np.sum(u * v, axis=-1)
                           for u, v in ((d, d), (e, e), (d, e), (d, r), (e, r)))
     square = dd * ee - de**2
+    beside = (np.clip(_ratio(-dr, dd), 0, 1) + np.clip(_ratio(de - dr, dd), 0, 1)) / 2
     first = np.where(square > 1e-9 * dd * ee,
-                     np.clip(_ratio(de * er - dr * ee, square), 0, 1), 0.5)
+                     np.clip(_ratio(de * er - dr * ee, square), 0, 1), beside)
     along = np.clip(_ratio(de * first + er, ee), 0, 1)
     back = np.clip(_ratio(de * along - dr, dd), 0, 1)
     return p + back[:, None] * d, s + along[:, None] * e

@@ -2,7 +2,7 @@
 from itertools import combinations
 
 import numpy as np
-from hypothesis import assume, given
+from hypothesis import assume, example, given
 from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 
@@ -55,6 +55,8 @@ def test_of_two_balls_the_nearer_is_drawn_last(camera, point, on, aside, r, wide
 
 @given(cameras, st.lists(st.tuples(vectors, vectors, st.sampled_from([0, 0.03, 0.06])),
                          max_size=12))
+@example(Camera(0, 0, perspective=False), [(np.zeros(3), np.array([x, 0, 0]), r)
+                                           for x, r in ((0, 0), (1, 0), (0.5, 0.03))])
 def test_an_order_holds_every_body_once_and_any_list_gives_the_same(camera, ends):
     made = lens(SCENE, camera, SIZE)
     bodies = [Body(p, p + 0.3 * d, r) for p, d, r in ends]
