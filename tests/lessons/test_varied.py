@@ -53,6 +53,8 @@ ANSWERS = {
     "workspace.3": lambda l_1, l_2: [0, pi - atan2(l_2, l_1)],
     "workspace.5": lambda ahead, high: [0, -atan2(high - 215, ahead), 0, -pi / 2, 0],
     "inverse.4": lambda x, y: two_links(x, y),
+    "motion.1": lambda start, end, T: [radians(start), 0, radians(end - start) * 3 / T**2,
+                                       -radians(end - start) * 2 / T**3],
     "inverse.5": lambda x, y, z: [atan2(y, x), *straight_down(hypot(x, y), z), 0],
 }
 

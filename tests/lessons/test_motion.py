@@ -1,0 +1,73 @@
+"""What the view of lesson 12 draws is what the textbooks' profiles say."""
+import numpy as np
+import pytest
+
+import kinlab as kl
+
+# Part of the way that is gone at a quarter of the time, at a half and at three quarters.
+# Cubic: 3/16 - 2/64. Quintic: 10/64 - 15/256 + 6/1024. Trapezoidal, a third of the time to speed
+# up: half of 4.5 times 1/16; then 1/2 by symmetry.
+WAYS = {"constant rate": (0.25, 0.5, 0.75), "cubic": (0.15625, 0.5, 0.84375),
+        "quintic": (0.103515625, 0.5, 0.896484375), "trapezoidal": (0.140625, 0.5, 0.859375)}
+LARGEST = {"constant rate": 1, "cubic": 1.5, "quintic": 1.875, "trapezoidal": 1.5}
+HARDEST = {"cubic": 6, "quintic": 5.7735, "trapezoidal": 4.5}
+LOW, MIDDLE, HIGH = -0.56, -0.32, -0.08  # of both charts, on the sketch
+
+
+@pytest.fixture
+def view():
+    return kl.lessons.motion.race_view()
+
+
+def item(view, gid):
+    return next(item for item in view._scene.items if item.gid == gid)
+
+
+def corners(view, gid):
+    return np.array([point[1:3] for point in item(view, gid).points])
+
+
+@pytest.mark.parametrize("name", WAYS)
+def test_a_dot_is_where_its_profile_has_it(view, name):
+    at = []
+    for time in (0, 0.25, 0.5, 0.75, 1):
+        view["time"].value = time
+        point = item(view, f"point-{name}").points[0]
+        at.append((view._scene.frames(view._values)[point[0]] @ (*point[1:], 1))[0])
+    np.testing.assert_allclose(at, [0, *WAYS[name], 1], atol=1e-12)
+
+
+@pytest.mark.parametrize("name", LARGEST)
+def test_the_chart_of_rates_has_the_largest_one(view, name):
+    heights = corners(view, f"rate (rad/s)-{name}")[:, 1]
+    assert heights.max() == pytest.approx(LOW + LARGEST[name] * (MIDDLE - LOW), abs=1e-4)
+    if name != "constant rate":
+        np.testing.assert_allclose(heights[[0, -1]], LOW, atol=1e-12)
+
+
+@pytest.mark.parametrize("name", HARDEST)
+def test_the_chart_of_accelerations_has_the_largest_one_and_its_opposite(view, name):
+    heights = corners(view, f"acceleration (rad/s²)-{name}")[:, 1]
+    most = HARDEST[name] / 6 * (HIGH - MIDDLE)
+    assert heights.max() == pytest.approx(MIDDLE + most, abs=1e-3)
+    assert heights.min() == pytest.approx(MIDDLE - most, abs=1e-3)
+    assert heights[0] == pytest.approx(MIDDLE if name == "quintic" else MIDDLE + most, abs=1e-3)
+
+
+def test_curves_are_drawn_as_far_as_the_time_has_gone(view):
+    from kinlab.drawing.curves import corners as drawn
+    curve = item(view, "rate (rad/s)-cubic")
+    for time in (0, 0.25, 1):
+        view["time"].value = time
+        gone = drawn(curve, view._scene.motions, view._scene.frames(view._values), view._values)
+        assert gone[-1, 0] == pytest.approx(0.42 * time)
+
+
+def test_a_constant_rate_leaps_once_the_time_runs(view):
+    from kinlab.drawing.curves import is_there
+    seen = {}
+    for time in (0, 0.5, 1):
+        view["time"].value = time
+        seen[time] = [is_there(item(view, f"acceleration (rad/s²)-leap-{end}"), view._values)
+                      for end in (0, 1)]
+    assert seen == {0: [False, False], 0.5: [True, False], 1: [True, True]}
