@@ -8,7 +8,7 @@ import numpy as np
 
 from .chain import Chain
 from .robot import SLIDES
-from .rows import Line
+from .rows import STEEP, Line
 
 _AGAINST = -1 + 1e-6  # the cosine of axes that look against each other, or almost
 
@@ -79,7 +79,7 @@ def _handy(line: Line, before: Line, after: Line) -> np.ndarray:
         return before.point
     normal = np.cross(before.z, line.z)  # of the plane in which it meets the axis before
     slope = normal @ after.z
-    if abs(slope) < 1e-3:
+    if abs(slope) < STEEP:
         return after.point
     return after.point + normal @ (before.point - after.point) / slope * after.z
 

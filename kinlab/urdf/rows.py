@@ -16,6 +16,7 @@ from ..arms.arm import CONVENTIONS
 from ..arms.motions import Frame, Motion, follow, matrix
 
 PARALLEL = 3e-11  # rad: what pi/2 with twelve digits, a few times over, leaves of a right angle
+STEEP = 0.1       # the sine of a tilt from which on a common normal is near enough
 FAR = 10          # lengths of the arm: a foot beyond is no use in a table
 _NEAR = 1.5e-10   # a length that is nothing: far below the 1e-9 that poses may be off
 _TWELFTH = math.pi / 12
@@ -55,11 +56,14 @@ def clean(size: float, theta: float, d: float, a: float, alpha: float) -> Number
 
 def clean_angle(angle: float) -> float:
     """The angle from above -pi to pi, a multiple of 15 degrees if it nearly is one."""
-    angle = math.remainder(angle, 2 * math.pi)
-    twelfths = round(angle / _TWELFTH)
-    if abs(angle - twelfths * _TWELFTH) < PARALLEL:
-        angle = twelfths * math.pi / 12
-    return math.pi if angle == -math.pi else angle + 0.0
+    angle = plain_turn(math.remainder(angle, 2 * math.pi))
+    return math.pi if angle == -math.pi else angle
+
+
+def plain_turn(angle: float) -> float:
+    """The angle, a multiple of 15 degrees if it nearly is one."""
+    plain = round(angle / _TWELFTH) * math.pi / 12
+    return plain if abs(angle - plain) < PARALLEL else float(angle)
 
 
 def clean_length(length: float, size: float) -> float:
@@ -89,7 +93,7 @@ def steps_to(frame: np.ndarray, line: Line, size: float, level: bool) -> list[Nu
     alpha = math.atan2(tilt, z[2])
     along = (point[0] * z[0] + point[1] * z[1]) / tilt**2
     d = point[2] - along * z[2]
-    if max(abs(along), abs(d - point[2])) <= FAR * size:
+    if tilt > STEEP or max(abs(along), abs(d - point[2])) <= FAR * size:
         a = point[0] * math.cos(theta) + point[1] * math.sin(theta)
         return [clean(size, theta, d, a, alpha)]
     height = 0.0 if level else point[2]

@@ -13,7 +13,7 @@ from ..arms.transforms import inverse
 from .axes import Axis, axes_of, size_of
 from .chain import Chain
 from .robot import Joint
-from .rows import PARALLEL, Numbers, clean, clean_length, steps_to
+from .rows import PARALLEL, Numbers, clean, clean_length, plain_turn, steps_to
 
 _ALIKE = 1e-9  # entries of frames that are one and the same
 
@@ -91,8 +91,10 @@ def _last(T: np.ndarray, size: float, slides: bool) -> Numbers:
 
 
 def _link(joint: Joint, axis: Axis, row: Numbers) -> Link:
-    make = prismatic if axis.slides else revolute
-    return make(**row._asdict(), limits=joint.limits(), name=joint.name, flip=axis.flip,
+    make, limits = prismatic if axis.slides else revolute, joint.limits()
+    if limits and not axis.slides:
+        limits = plain_turn(limits[0]), plain_turn(limits[1])
+    return make(**row._asdict(), limits=limits, name=joint.name, flip=axis.flip,
                 speed=joint.speed())
 
 
