@@ -40,16 +40,16 @@ class _Book(NamedTuple):
 
 # Turns about axes of the room stand to the left of those before, about the book's own to the right.
 _BOOKS = (
-    _Book("A", (-1.5, 1.2), "room: z, then x", ((X, 1), (Z, 0))),
-    _Book("B", (1.5, 1.2), "room: x, then z", ((Z, 1), (X, 0))),
-    _Book("C", (-1.5, -1.2), "own: z, then x", ((Z, 0), (X, 1))),
-    _Book("D", (1.5, -1.2), "own: x, then z", ((X, 0), (Z, 1))),
+    _Book("A", (-1.5, 1.35), "room: z, then x", ((X, 1), (Z, 0))),
+    _Book("B", (1.5, 1.35), "room: x, then z", ((Z, 1), (X, 0))),
+    _Book("C", (-1.5, -1.35), "own: z, then x", ((Z, 0), (X, 1))),
+    _Book("D", (1.5, -1.35), "own: x, then z", ((X, 0), (Z, 1))),
 )
 
 
 def books_view() -> LiveView:
     """Four books: turned about axes of the room and about their own, in both orders."""
-    sketch = Sketch("The same two quarter turns, four times", 2.9, planar=False, grid=0)
+    sketch = Sketch("Two quarter turns, four ways", 3.0, planar=False, grid=0)
     sketch.presets["3-D"] = (-75.0, 24.0)
     knob = sketch.knob(Knob("t", "turns", 0, 2, 0, step=0.1, whole=True))
     sketch.axes("0", 0, 0.8)
@@ -60,7 +60,7 @@ def books_view() -> LiveView:
             frame = sketch.move(ROTATE, axis, 0, knob, frame, gain=pi / 2, start=start)
         draw_book(sketch, book.name, frame)
         sketch.axes(book.name, frame, 1.0)
-        sketch.label(f"{book.name}, {book.said}", at(stand, (0, 0, -1.13), (0, 0, 0)))
+        sketch.label(f"{book.name}, {book.said}", at(stand, (0, 0, -1.08), (0, 0, 0)))
         sketch.handle(f"corner of book {book.name}", at(frame, _CORNER)[0], knob)
         sketch.reading(book.name, f"book {book.name} ({book.said}): z{book.name} = {{}}",
                        sketch.vector(frame, at(frame, (0, 0, 1))[0]))
@@ -99,11 +99,11 @@ def gimbal_view() -> LiveView:
 
 def _aircraft(name: str, home: tuple[float, float, float]) -> tuple[Sketch, list[int]]:
     """An aircraft whose nose lies along x₁, the frames after yaw, pitch and roll."""
-    sketch = Sketch(name, 1.42, planar=False, grid=0)
+    sketch = Sketch(name, 1.34, planar=False, grid=0)
     knobs = [sketch.knob(Knob.angle(word, word, home=radians(angle), title=f"turn about {axis}"))
              for word, axis, angle in zip(("yaw", "pitch", "roll"), ("z₀", "y after yaw", "x₁"),
                                           home)]
-    sketch.axes("0", 0, 1.35)
+    sketch.axes("0", 0, 1.26)
     turns = [sketch.move(ROTATE, axis, 0.0, knob) for axis, knob in zip((Z, Y, X), knobs)]
     body = sketch.tip = turns[-1]
     _fly(sketch, body)
@@ -149,7 +149,7 @@ def axis_view() -> LiveView:
     azimuth = sketch.knob(Knob.angle("azimuth", "azimuth of u", home=radians(30)))
     elevation = sketch.knob(Knob.angle("elevation", "elevation of u", -pi / 2, pi / 2,
                                        radians(50)))
-    angle = sketch.knob(Knob.angle("angle", "angle", -2 * pi, 2 * pi, radians(100)))
+    angle = sketch.knob(Knob.angle("angle", "angle", -2 * pi, 2 * pi, radians(60)))
     sketch.axes("0", 0, 1.0)
     sketch.move(ROTATE, Z, 0.0, azimuth, 0)
     along = sketch.move(ROTATE, Y, 0.0, elevation, gain=-1.0)  # its x axis is u
