@@ -94,6 +94,25 @@ def test_every_term_of_a_lesson_lights_its_view(visit, name):
         assert beside.locator(".kl-picture .kl-dim").count() > 0, term.get_attribute("href")
 
 
+def test_a_view_behind_a_fold_is_as_wide_as_any_other(visit):
+    page = visit("01_translation", width=1920, height=1080)
+    page.evaluate(SETTLE)
+    before, after, column, summary = page.evaluate("""() => {
+        const width = node => Math.round(node.getBoundingClientRect().width);
+        const left = node => Math.round(node.getBoundingClientRect().left);
+        const output = document.querySelector("main > .kl-output:has(> .kl-view)");
+        const before = width(output), fold = document.createElement("details");
+        fold.append(document.createElement("summary"));
+        fold.open = true;
+        output.before(fold);
+        fold.append(output);
+        return [before, width(output), left(document.querySelector("main > h1")),
+            left(fold.firstChild)];
+    }""")
+    assert before == after > 1400
+    assert column == summary
+
+
 def test_an_arm_is_there_to_drag_on_the_front_page(visit):
     page, robot = visit("index"), kl.robots.alpha_ii
     assert_picture(read(page.locator(".kl-view")), robot, robot().home, HOME)
