@@ -1,7 +1,8 @@
 """Lesson 11, turns in space: its views, its exercises' references and typical slips."""
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
+from functools import partial
 from math import cos, degrees, pi, radians, sin
 from typing import Any
 
@@ -145,24 +146,31 @@ def _turns_to(wanted: np.ndarray) -> Condition:
     return condition
 
 
-_TURNS = (_turns_to(_ROUND),)
-
-
-def _if(change: Callable[[np.ndarray], np.ndarray]) -> Callable[[np.ndarray], bool]:
+def _meets_after(conditions: Sequence[Condition],
+                 change: Callable[[np.ndarray], Any]) -> Callable[[np.ndarray], bool]:
     """Whether numbers are right after a change."""
-    return lambda q: meet(_TURNS, change(q))
+    return lambda q: meet(conditions, np.asarray(change(q)))
 
 
-_AXIS_SLIPS: list[Slip] = [
-    ("Divide the axis by its length, np.linalg.norm(axis).",
-     lambda q: bool(_length_one(q)) and meet(_TURNS, q)),
-    ("The angle looks like degrees: give radians, np.radians(...).",
-     _if(lambda q: np.append(q[:3], radians(q[3])))),
-    ("This is the turn back: turn round the sign of the axis or of the angle, not of both.",
-     _if(lambda q: q * [-1, -1, -1, 1])),
-    ("The trace of R is 1 + 2 cos(angle), so cos(angle) = (trace - 1) / 2.",
-     lambda q: abs(q[3]) < _NEAR),
-]
+def axis_judge(R: np.ndarray) -> Judge:
+    """Judge of the axis and the angle of a rotation."""
+    turns = (_turns_to(R),)
+    slips: list[Slip] = [
+        ("Divide the axis by its length, np.linalg.norm(axis).",
+         lambda q: bool(_length_one(q)) and meet(turns, q)),
+        ("The angle looks like degrees: give radians, np.radians(...).",
+         _meets_after(turns, lambda q: np.append(q[:3], radians(q[3])))),
+        ("This is the turn back: turn round the sign of the axis or of the angle, not of both.",
+         _meets_after(turns, lambda q: q * [-1, -1, -1, 1])),
+        ("The trace of R is 1 + 2 cos(angle), so cos(angle) = (trace - 1) / 2.",
+         lambda q: abs(q[3]) < _NEAR),
+    ]
+    return one_of_many(
+        _axis_and_angle, (*turns, _length_one), slips=slips, noun="axis and angle",
+        parts=("x of the axis", "y of the axis", "z of the axis", "the angle"),
+        praise="R keeps this axis and turns all else about it. The opposite axis with the opposite "
+               "angle is the same turn.")
+
 
 # ---- Exercise 4: a quaternion ----------------------------------------------------------------
 
@@ -225,36 +233,36 @@ _QUATERNION_SLIPS: list[Slip] = [
 _LOCKED = np.array([[0, -0.6, 0.8], [0, 0.8, 0.6], [-1, 0, 0]])
 
 
-def _gives_locked(q: np.ndarray) -> str:
-    off = np.abs(rpy_matrix(*q) - _LOCKED)
+def _gives(R: np.ndarray, q: np.ndarray) -> str:
+    off = np.abs(rpy_matrix(*q) - R)
     if off.max() <= _NEAR:
         return ""
     row, column = np.unravel_index(off.argmax(), off.shape)
     got = rpy_matrix(*q)[row, column] + 0.0
     return (f"kl.rpy_matrix makes {got:.4g} of your angles at row {row + 1}, column {column + 1}, "
-            f"where R has {_LOCKED[row, column]:.4g}.")
+            f"where R has {R[row, column]:.4g}.")
 
 
-_LOCK = (_gives_locked,)
+def locked_judge(R: np.ndarray) -> Judge:
+    """Judge of roll, pitch and yaw of a rotation whose pitch is 90 degrees."""
+    lock, left = (partial(_gives, R),), degrees(np.arctan2(-R[0, 1], R[1, 1]))
+    slips: list[Slip] = [
+        degrees_slip(lock, subject="Your angles", hint="give radians, np.radians([...])"),
+        ("These are the usual formulas, np.arctan2(0, 0) among them. They do not apply here: read "
+         "yaw - roll off the other entries.",
+         lambda q: abs(q[0]) < _NEAR and abs(q[2]) < _NEAR and abs(sin(q[1]) - 1) < _NEAR),
+        ("The sign of pitch is wrong: r31 = -1 is minus the sine of pitch.",
+         _meets_after(lock, lambda q: q * [1, -1, 1])),
+        ("The sum is right where the difference counts: at pitch = 90° it is yaw - roll.",
+         _meets_after(lock, lambda q: q * [-1, 1, 1])),
+        ("yaw - roll has the wrong sign, or roll and yaw have changed places: "
+         "r12 = -sin(yaw - roll).", _meets_after(lock, lambda q: q[::-1])),
+        ("Pitch must be a quarter turn here: r31 = -1.", lambda q: abs(sin(q[1]) - 1) > _NEAR),
+    ]
+    return one_of_many(
+        exactly((3,), counted(3, "angle")), lock, slips=slips, noun="three angles", parts=_ANGLES,
+        praise=f"One of infinitely many answers: only yaw - roll is fixed here, at {left:.2f}°.")
 
-
-def _right_after(change: Callable[[np.ndarray], Any]) -> Callable[[np.ndarray], bool]:
-    return lambda q: meet(_LOCK, np.asarray(change(q)))
-
-
-_LOCK_SLIPS: list[Slip] = [
-    degrees_slip(_LOCK, subject="Your angles", hint="give radians, np.radians([...])"),
-    ("These are the usual formulas, np.arctan2(0, 0) among them. They do not apply here: read "
-     "yaw - roll off the other entries.",
-     lambda q: abs(q[0]) < _NEAR and abs(q[2]) < _NEAR and abs(sin(q[1]) - 1) < _NEAR),
-    ("The sign of pitch is wrong: r31 = -1 is minus the sine of pitch.",
-     _right_after(lambda q: q * [1, -1, 1])),
-    ("The sum is right where the difference counts: at pitch = 90° it is yaw - roll.",
-     _right_after(lambda q: q * [-1, 1, 1])),
-    ("yaw - roll has the wrong sign, or roll and yaw have changed places: r12 = -sin(yaw - roll).",
-     _right_after(lambda q: q[::-1])),
-    ("Pitch must be a quarter turn here: r31 = -1.", lambda q: abs(sin(q[1]) - 1) > _NEAR),
-]
 
 JUDGES: dict[str, Judge] = {
     "turns.1": function(
@@ -266,17 +274,10 @@ JUDGES: dict[str, Judge] = {
         read=_first_branch, without="Write the three formulas yourself.",
         praise="Each angle in its quadrant. kinlab's own is kl.rpy_angles, which also tells when "
                "the gimbal is locked."),
-    "turns.3": one_of_many(
-        _axis_and_angle, (*_TURNS, _length_one), slips=_AXIS_SLIPS, noun="axis and angle",
-        parts=("x of the axis", "y of the axis", "z of the axis", "the angle"),
-        praise="R keeps this axis and turns all else about it. The opposite axis with the opposite "
-               "angle is the same turn."),
+    "turns.3": axis_judge(_ROUND),
     "turns.4": function(
         _quaternion, _QUATERNION_CASES, entry=lambda index: "wxyz"[index[0]],
         slips=_QUATERNION_SLIPS, read=_one_of_both, without="Write the formula yourself.",
         praise="q and -q are both right: they are the same turn."),
-    "turns.5": one_of_many(
-        exactly((3,), counted(3, "angle")), _LOCK, slips=_LOCK_SLIPS, noun="three angles",
-        parts=_ANGLES,
-        praise="One of infinitely many answers: only yaw - roll is fixed here, at 36.87°."),
+    "turns.5": locked_judge(_LOCKED),
 }

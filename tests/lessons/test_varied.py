@@ -44,6 +44,8 @@ ANSWERS = {
                                     x_1[0] * c_0[1] - x_1[1] * c_0[0]],
     "notation.3": lambda turn_1, turn_2, o_1, o_2: np.linalg.solve(pose(turn_1, o_1),
                                                                    pose(turn_2, o_2)),
+    "turns.3": lambda axis, angle: [np.array(axis) / np.sqrt(np.dot(axis, axis)), radians(angle)],
+    "turns.5": lambda left: [0.2, pi / 2, 0.2 + radians(left)],
     "two_link.4": lambda l_1, l_2: [acos(l_2 / l_1), pi - acos(l_2 / l_1)],
     "dh_recipe.6": lambda theta, d, a, alpha: [radians(theta), d, a, radians(alpha)],
     "alpha_ii.4": lambda height: [0.3, asin((215 - 129.5 - height) / (2 * 177.8)), 0,
@@ -57,6 +59,9 @@ ANSWERS = {
                                        -radians(end - start) * 2 / T**3],
     "inverse.5": lambda x, y, z: [atan2(y, x), *straight_down(hypot(x, y), z), 0],
 }
+
+
+BACKWARDS = ("dh_recipe.6", "turns.3", "turns.5")  # a matrix is given, its numbers are asked for
 
 
 def judged(name, answer, **numbers):
@@ -91,8 +96,8 @@ def test_the_task_holds_all_its_numbers(name):
     """Whoever reads it can answer: each number stands in the text, as it is."""
     for seed in SEEDS:
         variant = kl.exercises.variant(name, seed)
-        if name == "dh_recipe.6":  # the numbers are what is asked for
-            assert "-0.8660 &" in variant.ask or "-0.5000 &" in variant.ask
+        if name in BACKWARDS:
+            assert r"\begin{bmatrix}" in variant.ask
             continue
         for value in np.concatenate([*map(np.ravel, variant.numbers.values())]).tolist():
             assert f"{value:g}" in variant.ask, (value, variant)
@@ -104,6 +109,16 @@ def test_the_lost_matrix_is_that_of_its_row():
     theta, d, a, alpha = variant.numbers.values()
     for entry in (cos(radians(theta)), a * sin(radians(theta)), sin(radians(alpha)), d):
         assert f"{entry:.4f}" in variant.ask
+
+
+def test_the_matrices_of_turns_are_those_of_their_numbers():
+    """The trace is 1 + 2 cos(angle); at pitch 90 degrees r22 = cos(yaw - roll)."""
+    one, other = (kl.exercises.variant(name, "Ada") for name in ("turns.3", "turns.5"))
+    rows = [[float(x) for x in row.split("&")] for row in
+            one.ask.split("bmatrix}")[1].removesuffix(r"\end{").split(r"\\")]
+    assert sum(rows[k][k] for k in range(3)) == pytest.approx(
+        1 + 2 * cos(radians(one.numbers["angle"])), abs=2e-4)
+    assert f"{cos(radians(other.numbers['left'])):.4f}" in other.ask
 
 
 def test_a_seed_has_the_same_numbers_everywhere():
