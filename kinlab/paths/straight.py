@@ -162,11 +162,12 @@ def straight_path(arm: Arm, T0: Any, T1: Any, duration: float, profile: str = "q
     try:
         for time in times[1:].tolist():
             walk.on(time)
+        t, q = np.array(walk.times), np.array(walk.joints)
+        motion = replace(along, times=t, joints=q)
+        states = motion.derived(t, q)  # beside a singular place it goes on from a posture, too
     except Lost as lost:
         raise ValueError(_refusal(walk, lost, weights, count)) from None
-    t, q = np.array(walk.times), np.array(walk.joints)
-    motion = replace(along, times=t, joints=q)
-    return Path(arm, chosen.name, duration, t, *motion.derived(t, q), motion)
+    return Path(arm, chosen.name, duration, t, *states, motion)
 
 
 def _ends(T0: Any, T1: Any) -> tuple[np.ndarray, np.ndarray, int]:
@@ -204,7 +205,8 @@ def _refusal(walk: Walk, lost: Lost, weights: Any, count: int) -> str:
     arm, line = walk.branch.task.arm, walk.branch.line
     beyond = line.pose(min(1.0, lost.s + AHEAD))
     place = ", ".join(f"{x:.4g}" for x in line.pose(lost.s)[:3, 3] + 0.0)
-    where = f"at {lost.s:.0%} of its way, after {walk.times[-1]:.3g} s, at ({place}) {arm.unit}"
+    time = np.interp(lost.s, [*map(walk.share, walk.times)], walk.times)
+    where = f"at {lost.s:.0%} of its way, after {time:.3g} s, at ({place}) {arm.unit}"
     found = inverse_kinematics(arm, beyond if count == 6 else beyond[:3, 3], walk.joints[-1],
                                weights=weights, limits="ignore")
     if found.success:

@@ -164,3 +164,10 @@ def test_a_line_that_needs_a_jump_says_so():
     assert path.q[-1] == pytest.approx([0, 0.5, 0])
     with pytest.raises(ValueError, match="needs a jump of the joints at 0% of its way"):
         kl.straight_path(wrist, np.eye(4), turned[1], 1, weights=weights)
+
+
+def test_a_folded_arm_that_would_have_to_turn_at_once_is_told_so():
+    """From the base the tip of a folded arm leaves at right angles to its links only."""
+    arm = kl.Arm([kl.revolute(a=1), kl.revolute(a=1)], home=[0, 1])
+    with pytest.raises(ValueError, match="needs a jump of the joints at 0% of its way"):
+        kl.straight_path(arm, [0, 0, 0], [-1.2, 0.1, 0], 2, q0=[-1.487655, np.pi])
