@@ -261,10 +261,8 @@ _MOST, _EACH = 2.0, 2.0                                               # rad/s; s
 _MOTORS = Arm([revolute(a=1, speed=_MOST), revolute(a=1, speed=_MOST)], home=[0, 1])
 
 
-def _between(via: np.ndarray) -> str:
+def _in_reach(via: np.ndarray) -> str:
     far = float(np.hypot(*via))
-    if far < 0.02:
-        return "The point is the base itself. There the arm is folded, so singular."
     return "" if far < 2 else f"The point is {far:.3g} m from the base; the arm reaches 2 m."
 
 
@@ -284,7 +282,7 @@ def _slow_enough(via: np.ndarray) -> str:
             "are allowed.")
 
 
-_AROUND = (_between, _slow_enough)
+_AROUND = (_in_reach, _slow_enough)
 _VIA_SLIPS = [
     ("The point lies at one end of the way, so the other line is the straight one past the base.",
      lambda via: min(np.hypot(*(via - end[:2])) for end in (_START, _END)) < 0.15),

@@ -76,8 +76,8 @@ def _quarter(profile: str, rail: float, formula: str, sum_: str, at: str) -> Mar
         unit="rad", slips=[((0.25, rail, 0), "There it would be at a constant rate.")])
 
 
-_QUARTER = [_quarter("cubic", 0.38, "3τ² − 2τ³", "0.188 − 0.031", "0.156"),
-            _quarter("quintic", 0.26, "10τ³ − 15τ⁴ + 6τ⁵", "0.156 − 0.059 + 0.006", "0.104")]
+_QUARTER = [_quarter("cubic", 0.38, "3τ² − 2τ³", "3/16 − 2/64", "0.156"),
+            _quarter("quintic", 0.26, "10τ³ − 15τ⁴ + 6τ⁵", "10/64 − 15/256 + 6/1024", "0.104")]
 
 
 def _peak(change: float, T: float, unit: str, right: float) -> Number:

@@ -20,7 +20,7 @@ _STYLES = {"constant rate": "dashed", "cubic": "first", "quintic": "second",
 def race_view() -> LiveView:
     """Four dots on rails, which start and arrive together, and charts of rate and acceleration."""
     sketch = Sketch("Four ways to go 1 rad in 1 s", 0.62, center=(0.5, 0, 0), grid=0)
-    time = sketch.knob(Knob("time", "time", 0.0, float(_N), 0.0, "s", float(_N), 0.01,
+    time = sketch.knob(Knob("time", "t", 0.0, float(_N), 0.0, "s", float(_N), 0.01,
                             "time since the start"))
     shares = np.linspace(0, 1, _N + 1)
     rate = _Chart(sketch, "rate (rad/s)", 0.0, (0.0, 2.0), 1.0)

@@ -170,7 +170,7 @@ WRONG = [
     ("motion.5", (0, 1.8), "So far out"),
     ("motion.5", (0, 2.5), "2.5 m from the base"),
     ("motion.5", (1.2, 0.1), "at one end of the way"),
-    ("motion.5", (0, 0), "base itself"),
+    ("motion.5", (0, 0), "cannot go on"),
     ("motion.5", (0, 1, 0), "two numbers"),
     ("motion.5", 1, "two numbers"),
 ]
