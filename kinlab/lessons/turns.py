@@ -129,19 +129,17 @@ def _length_one(q: np.ndarray) -> str:
         f"Your axis has length {length:.4g}; the task asks for one of length 1.")
 
 
-def _turned(q: np.ndarray) -> np.ndarray | None:
-    return rotation_about(q[:3], q[3]) if np.any(q[:3]) else None
-
-
 def _turns_to(wanted: np.ndarray) -> Condition:
     """A turn by an axis and an angle that gives a matrix."""
     def condition(q: np.ndarray) -> str:
-        turn = _turned(q)
-        if turn is not None and np.allclose(turn, wanted, atol=_NEAR):
+        axis, angle = q[:3], q[3]
+        if not np.any(axis):
+            return "The axis (0, 0, 0) has no direction."
+        if np.allclose(rotation_about(axis, angle), wanted, atol=_NEAR):
             return ""
-        stays = np.linalg.norm(wanted @ q[:3] - q[:3])
+        stays = np.allclose(wanted @ axis, axis, atol=1e-3)
         return "Put into kl.rotation_about, these do not give R." + (
-            " R keeps your axis, so look at the angle." if stays < 1e-3 else
+            " R keeps your axis, so look at the angle." if stays else
             " R @ axis is not the axis: an axis stays where it is.")
     return condition
 
@@ -163,7 +161,7 @@ def axis_judge(R: np.ndarray) -> Judge:
         ("This is the turn back: turn round the sign of the axis or of the angle, not of both.",
          _meets_after(turns, lambda q: q * [-1, -1, -1, 1])),
         ("The trace of R is 1 + 2 cos(angle), so cos(angle) = (trace - 1) / 2.",
-         lambda q: abs(q[3]) < _NEAR),
+         lambda q: any(abs(cos(q[3]) - c) < _NEAR for c in (np.trace(R) - 1, np.trace(R) / 2))),
     ]
     return one_of_many(
         _axis_and_angle, (*turns, _length_one), slips=slips, noun="axis and angle",

@@ -100,7 +100,7 @@ WRONG = [
     ("turns.3", [DIAGONAL, 0], "cos(angle) = (trace - 1) / 2"),
     ("turns.3", [DIAGONAL, pi / 2], "look at the angle"),
     ("turns.3", [[0, 0, 1], pi / 3], "an axis stays where it is"),
-    ("turns.3", [[0, 0, 0], pi / 3], "do not give R"),
+    ("turns.3", [[0, 0, 0], pi / 3], "has no direction"),
     ("turns.3", [DIAGONAL, ...], "the angle is still to do"),
     ("turns.3", [1, 1, 1], "the axis and the angle: [axis, angle]"),
     ("turns.3", [[1, 1], 1], "The axis: expected three numbers"),
