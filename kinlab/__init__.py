@@ -32,6 +32,7 @@ _NAMES = {
     "views.arm_view": ("ArmView",),
     "views.target_view": ("TargetView",),
     "views.link_view": ("frames_view", "link_view"),
+    "views.path_view": ("PathView",),
     "views.studies": ("solve_view", "velocity_view"),
     "predictions": ("predict",),
     "arms.shown": ("show",),

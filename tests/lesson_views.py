@@ -8,6 +8,15 @@ KNOWN = [kl.robots.puma_560_craig, kl.robots.stanford, kl.robots.panda, kl.robot
          kl.robots.scara, kl.robots.ur5, kl.robots.kr210]
 RARE = {"puma_560", "scara", "ur5", "kr210"}  # much like others: seen by the thorough tests alone
 EXAM = [-0.35, -0.6, 0.4]
+
+
+def path_view():
+    """Two links along a line, whose joints break limits of all three kinds."""
+    arm = kl.Arm([kl.revolute(a=1, limits=(-1.5, 2), speed=1.2, acceleration=2.5),
+                  kl.revolute(a=1, limits=(-2.6, 1.9), speed=1.2)], name="Two links")
+    return kl.PathView(arm, kl.straight_path(arm, [1.2, 0.9, 0], [-0.5, 1.2, 0], 2, q0=[0, 1.2]))
+
+
 VIEWS = {robot.__name__: lambda robot=robot: kl.ArmView(
     robot(), closed_form=True, show=("frames", "labels", "axes")) for robot in ARMS} | {
     "reach": LESSONS.start_here.reach_view,
@@ -60,5 +69,6 @@ VIEWS = {robot.__name__: lambda robot=robot: kl.ArmView(
     "velocity": lambda: kl.velocity_view(kl.robots.intelledex_660t()),
     "solve": lambda: kl.solve_view(kl.robots.two_link(), [0.5, 0.5, 0],
                                    weights=[1, 1, 0]),
+    "path": path_view,
 } | {robot.__name__: lambda robot=robot: kl.ArmView(
     robot(), show=("frames", "labels", "axes")) for robot in KNOWN}

@@ -342,9 +342,9 @@ def test_anything_is_computed_or_refused_in_one_sentence(call, value):
 
 def test_every_public_function_is_listed_here():
     elsewhere = {"ArmView", "ClosedForm", "DHTableEditor", "InverseBatch", "InverseResult",
-                 "Path", "Quaternion", "TargetView", "Workspace", "examine_frames", "exercises",
-                 "frames_view", "lessons", "link_view", "parse_number", "predict", "robots",
-                 "same_mechanism", "show", "solve_view", "velocity_view"}
+                 "Path", "PathView", "Quaternion", "TargetView", "Workspace", "examine_frames",
+                 "exercises", "frames_view", "lessons", "link_view", "parse_number", "predict",
+                 "robots", "same_mechanism", "show", "solve_view", "velocity_view"}
     listed = {call.split()[0].removeprefix("kl.") for call in EVERY}
     assert set(kl.__all__) - elsewhere <= listed
 

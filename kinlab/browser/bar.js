@@ -101,7 +101,8 @@ export class Bar {
   }
 
   player() {
-    const node = button("", "Move smoothly from pose to pose", () => this.acts.play(),
+    const title = this.scene.timed ? "Play at its own speed" : "Move smoothly from pose to pose";
+    const node = button("", title, () => this.acts.play(),
                         { "data-part": "play" });
     node.append(...withIcon("▶", "Play"));
     return node;

@@ -3,7 +3,7 @@
 
 import { make } from "./dom.js";
 import { clip } from "./steps.js";
-import { drawn, polyline, put, px } from "./svg.js";
+import { chartWords, drawn, polyline, put, px } from "./svg.js";
 
 /** @import { ChartScene, Paint, Plot, Track } from "./types.js" */
 
@@ -101,12 +101,6 @@ const MARKERS = {
 };
 
 const STEP_MARK = 2.4, NOW_MARK = 4.6;              // px: markers of the steps, and of this one
-
-const WORD_HALF = 4;                                     // px: half the height of small letters
-
-/** @type {(text: string, x: number, y: number, anchor?: string) => SVGTextElement} */
-const chartWords = (text, x, y, anchor = "start") =>
-  drawn("text", { x: px(x), y: px(y + WORD_HALF), "text-anchor": anchor }, text);
 
 /**
  * The lines and words that stay where they are: grid, numbers, titles, and who is who.

@@ -61,7 +61,7 @@ class Row {
    */
   take(knob, joint) {
     this.knob = knob;
-    this.node.setAttribute("data-joint", String(joint));
+    if (knob.quantity !== "time") this.node.setAttribute("data-joint", String(joint));
     this.node.setAttribute("data-quantity", knob.quantity);
     this.label.className = knob.quantity ? `kl-of-${knob.quantity}` : "";
     const { label, title, unit } = knob, name = title ? `${label}, ${title}` : label;

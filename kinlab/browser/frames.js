@@ -13,12 +13,12 @@ const run = (since) => clip(since, 0, 1);
 
 /**
  * What a list holds at 0, 1, 2, ..., and straight between them.
- * @param {number[]} track
+ * @param {number[]} values
  * @param {number} place
  */
-function between(track, place) {
-  const at = clip(place, 0, track.length - 1), k = Math.floor(at);
-  return track[k] + (at - k) * ((track[k + 1] ?? track[k]) - track[k]);
+export function between(values, place) {
+  const at = clip(place, 0, values.length - 1), k = Math.floor(at);
+  return values[k] + (at - k) * ((values[k + 1] ?? values[k]) - values[k]);
 }
 
 /**

@@ -19,6 +19,7 @@ import { holdings, inWords, pictured } from "./pointing.js";
  * @property {{ entries: Element[], read(frame: Frame): string[] } | null | undefined} pose
  * @property {{ entries: Element[], read(all: Frame[], q: number[]): string[] }} lines
  * @property {HTMLElement} formula
+ * @property {{ light(now: Pointed | null): void } | null | undefined} timed
  * @property {(all: Frame[]) => Frame} posed
  * @property {() => void} redraw
  */
@@ -43,7 +44,7 @@ export class Highlight {
   constructor(view, pointing) {
     this.view = view;
     this.pointing = pointing;
-    this.marks = new Marks(view.scene);
+    this.marks = view.scene.timed ? null : new Marks(view.scene);   // the time is no joint
     view.box.append(this.caption);
   }
 
@@ -68,13 +69,14 @@ export class Highlight {
     if (now) this.find();
     lightUp(view.element, now);
     view.picture.light(now && pictured(view.scene.items, now) ? now : null);
+    view.timed?.light(now);
     view.redraw();
   }
 
   /** Note at each number the joints that move it, when somebody points for the first time. */
   find() {
     const { view } = this, { pose, lines, scene: { knobs, motions } } = view;
-    if (this.found) return;
+    if (this.found || view.timed) return;          // there the only knob is the time
     this.found = true;
     const at = (/** @type {number[]} */ q) => frames(motions, q);
     const tell = (/** @type {Element[]} */ entries, /** @type {number[][]} */ held) =>
@@ -94,7 +96,7 @@ export class Highlight {
     const moved = q.flatMap((value, i) => last && value !== last[i] ? [i + 1] : []);
     const held = moved.map((joint) => `[data-entry][data-holds~="${joint}"]`).join();
     this.last = q;
-    this.marks.draw(now, q, view.picture);
+    this.marks?.draw(now, q, view.picture);
     write(this.caption, now ? inWords(now, view.scene, q) : "");
     this.flashes.flash([...changed, ...held ? view.formula.querySelectorAll(held) : []]);
   }

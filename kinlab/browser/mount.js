@@ -4,9 +4,9 @@
 
 import { Bar } from "./bar.js";
 import { Chart } from "./chart.js";
-import { follower } from "./chase.js";
 import { Controls } from "./controls.js";
 import { make, number, write } from "./dom.js";
+import { follower } from "./following.js";
 import { fitFormula } from "./formula.js";
 import { inRoom, seenFrom } from "./frames.js";
 import { Grasp } from "./grasp.js";
@@ -20,6 +20,7 @@ import { orbit } from "./pointer.js";
 import { Pointing } from "./pointing.js";
 import { letAllScroll } from "./scrolls.js";
 import { Walk, stages } from "./stages.js";
+import { Film, TimedCharts, placesOf } from "./timed.js";
 import { minus } from "./vectors.js";
 
 /** @import { Source } from "./pointing.js" */
@@ -38,8 +39,9 @@ const HEARD = 400;                                  // ms: a screen reader need 
  * @param {number[]} q
  */
 function limits(knobs, q) {
-  return knobs.flatMap(({ label, suffix, scale, low, high, whole, pair, unit, digits }, i) => {
-    if (whole || pair || unit === "%" || low === high) return [];
+  return knobs.flatMap((knob, i) => {
+    const { label, suffix, scale, low, high, whole, pair, unit, digits } = knob;
+    if (whole || pair || unit === "%" || knob.quantity === "time" || low === high) return [];
     const slack = 1e-6 * (high - low);
     if (q[i] > low + slack && q[i] < high - slack) return [];
     const at = number(q[i] / scale, Math.max(3, digits)).replace(/\.?0+$/, "");
@@ -107,6 +109,7 @@ class View {
     this.pose = scene.pose && poseTable(scene.pose);
     this.lines = readingLines(scene);
     this.chart = scene.chart && new Chart(scene.chart, scene.paints);
+    this.timed = scene.timed && new TimedCharts(scene.timed, scene.paints, joints, pointing);
     this.error = make("div", { class: "kl-number" });
     this.remark = make("div", { class: "kl-remark" });
     this.spoken = make("div", { class: "kl-spoken", role: "status" });
@@ -115,7 +118,7 @@ class View {
     this.chase = scene.target && follower(/** @type {TargetScene} */ (scene), joints,
                                           (found) => { this.solved = found; });
     this.highlight = new Highlight(this, pointing);
-    this.mover = new Mover(() => this.playing(false));
+    this.mover = new (scene.timed ? Film : Mover)(() => this.playing(false));
     this.walk = new Walk(scene);
     this.bar = new Bar(scene, this.acts(), this.walk.has);
   }
@@ -132,8 +135,8 @@ class View {
     element.classList.toggle("kl-wide", scene.wide);
     if (!before) element.append(plan.node);
     write(plan.title, scene.name);
-    plan.put("stage", box, this.bar.node, this.spoken);
-    plan.put("side", pose?.node, lines.node, this.remark);
+    plan.put("stage", box, this.timed?.said, this.bar.node, this.spoken);
+    plan.put("side", this.timed?.node, pose?.node, lines.node, this.remark);
     const staged = this.formula.querySelector("[data-stages]");
     if (this.formula.innerHTML) plan.put(staged ? "side" : "below", this.formula);
     this.controls.take(scene.knobs, this.joints, () => this.note(this.said));
@@ -141,11 +144,13 @@ class View {
     this.look(before?.began === scene.preset ? before.preset : scene.preset);
     if (before?.began === scene.preset) picture.camera = before.camera;
     this.ends.push(
-      fitFormula(this.formula, !staged && scene.pose?.columns || []),
+      ...this.formula.innerHTML
+        ? [fitFormula(this.formula, !staged && scene.pose?.columns || [])] : [],
       orbit(box, picture, () => this.redraw(), () => this.look(this.preset), this.hands),
       this.joints.listen(() => this.moved()),
       this.highlight.begin(),
       () => this.chart?.leave(),
+      () => this.timed?.leave(),
       () => this.sizes.disconnect());
     letAllScroll(plan.node, ".kl-math");
     this.draw();
@@ -234,8 +239,10 @@ class View {
   }
 
   play() {
-    if (this.mover.request) return this.mover.stop();
-    this.mover.start(this.led, stages(this.scene, this.joints.read()), TOUR, true);
+    const { mover, scene: { timed } } = this;
+    if (mover.request) return mover.stop();
+    if (timed && mover instanceof Film) mover.run(this.joints, timed.times[timed.times.length - 1]);
+    else mover.start(this.led, stages(this.scene, this.joints.read()), TOUR, true);
     this.playing(true);
   }
 
@@ -262,9 +269,11 @@ class View {
   draw() {
     this.pending = 0;
     const { scene, lines } = this, q = this.joints.read(), all = this.picture.draw(q);
-    const changed = [...this.pose?.update(this.posed(all)) ?? [], ...lines.update(all, q)];
+    const at = scene.timed ? placesOf(scene, q) : q;
+    const changed = [...this.pose?.update(this.posed(all)) ?? [], ...lines.update(all, at)];
     this.highlight.follow(changed, q);
     this.chart?.draw(q);
+    this.timed?.draw(q);
     this.stand(this.walk.stage(q));
     if (this.chase) write(this.error, missed(/** @type {TargetScene} */ (scene), all, this.solved));
     write(this.shrunk, drawnAt(this.picture.lens));
@@ -323,7 +332,8 @@ class View {
 
   /** What there is to see, in words. */
   describe() {
-    const state = [this.pose, this.lines].map((panel) => panel?.text()).filter(Boolean).join("; ");
+    const panels = [this.timed, this.pose, this.lines];
+    const state = panels.map((panel) => panel?.text()).filter(Boolean).join("; ");
     this.picture.svg.setAttribute("aria-label", `${this.scene.name}, ${state}`);
     return { held: this.hands.describe(), state };
   }

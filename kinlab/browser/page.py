@@ -7,12 +7,11 @@ from __future__ import annotations
 import base64
 import io
 import json
-import os
 from collections.abc import Collection, Sequence
 from pathlib import Path
 from typing import Any
 
-from ..arms import inputs
+from ..arms import files
 from . import bundle
 
 _HERE = Path(__file__).parent
@@ -70,27 +69,8 @@ def save(path: Any, title: str, view: str, question: str = "", *, script: str = 
     `script` is its entry module, and `without` those that this view does not need; `styles` are
     the sheets that it needs besides those of a view.
     """
-    target = _target(path)
+    target = files.target("path", path, (".html", ".htm"), "browsers open a page by its ending")
     text = _filled("page.html.j2", title=title, question=question, view=view,
                    style=bundle.page_style(*styles), script=bundle.script(script, without=without))
-    try:
-        target.write_bytes(text.encode("utf-8", "replace"))  # a name may hold half a character
-    except (OSError, ValueError) as error:  # ValueError: a name with a zero byte
-        reason = getattr(error, "strerror", None) or error
-        raise ValueError(f"path: cannot write {str(target)!r} ({reason}); choose a folder of "
-                         "your own, or another name") from None
-    return target
-
-
-def _target(path: Any) -> Path:
-    if not isinstance(path, str | os.PathLike) or not isinstance(os.fspath(path), str):
-        raise ValueError(f"path: expected the name of a file such as 'arm.html', "
-                         f"got {inputs.brief(path)}")
-    target = Path(path)
-    if target.suffix.lower() not in (".html", ".htm"):
-        raise ValueError(f"path: expected a name that ends in .html, got {str(target)!r}; "
-                         "browsers open a page by its ending")
-    if not target.parent.is_dir():
-        raise ValueError(f"path: there is no folder {str(target.parent)!r}; make it first, or "
-                         "choose another")
-    return target
+    data = text.encode("utf-8", "replace")  # a name may hold half a character
+    return files.write("path", target, data)

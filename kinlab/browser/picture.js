@@ -13,6 +13,7 @@ import { moversOf } from "./pointing.js";
 import { Steady } from "./steady.js";
 import { clip } from "./steps.js";
 import { arrange, drawn } from "./svg.js";
+import { placesOf } from "./timed.js";
 import { norm, minus } from "./vectors.js";
 
 /** @import { Camera, Frame, Item, Lens, Scene, Triple } from "./types.js" */
@@ -166,7 +167,7 @@ export class Picture {
    * @param {Pointed | null} pointed
    */
   light(pointed) {
-    if (pointed) this.movers ??= moversOf(this.scene);
+    if (pointed && !this.scene.timed) this.movers ??= moversOf(this.scene);
     const isLit = (/** @type {Whole} */ item) => !pointed || isMeant(item, pointed) ||
       (this.movers?.get(item.gid)?.some((joint) => pointed.joints?.has(joint)) ?? false);
     for (const solid of this.solids) {
@@ -183,8 +184,9 @@ export class Picture {
    * @param {number[]} q
    */
   move(q) {
-    const { knobs, motions } = this.scene, all = this.at = frames(motions, q);
-    for (const part of this.parts) part.move({ motions, all, q, knobs });
+    const { knobs, motions } = this.scene, at = this.scene.timed ? placesOf(this.scene, q) : q;
+    const all = this.at = frames(motions, at);
+    for (const part of this.parts) part.move({ motions, all, q: at, knobs });
   }
 
   /**

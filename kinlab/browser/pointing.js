@@ -172,7 +172,7 @@ export function moversOf({ items, knobs, motions, radius }) {
 export function inWords({ joints, frames, links }, { knobs, items }, q) {
   const of = [...joints].flatMap((joint) => {
     const knob = knobs[joint - 1];
-    if (!knob) return [];
+    if (!knob || knob.quantity === "time") return [];
     return `${knob.title}${knob.title && ": "}${valued(knob, q[joint - 1])}`;
   });
   const others = [...frames].map((name) =>

@@ -75,6 +75,15 @@ export const display = (node, on) => { node.style.display = on ? "" : "none"; };
 /** @type {(value: number) => string} */
 export const px = (value) => value.toFixed(1);
 
+const WORD_HALF = 4;                                // px: half the height of small letters
+
+/**
+ * Words of a chart beside a place.
+ * @type {(text: string, x: number, y: number, anchor?: string) => SVGTextElement}
+ */
+export const chartWords = (text, x, y, anchor = "start") =>
+  drawn("text", { x: px(x), y: px(y + WORD_HALF), "text-anchor": anchor }, text);
+
 /** @type {(point: number[]) => string} */
 const spotText = ([x, y]) => `${px(x)} ${px(y)}`;
 

@@ -199,6 +199,38 @@ export interface Plot {
   legend: [right: number, text: string][];
 }
 
+/** Curves of one kind over the same times, as Panel in kinlab/drawing/timed.py. */
+export interface Panel {
+  title: string;
+  layer: string;
+  low: number;
+  high: number;
+  courses: { name: string; style: string; values: number[]; unit: string;
+             joint: number | Nothing }[];
+  bounds: { level: number; style: string; joint: number }[];
+  bands: { start: number; end: number; joint: number }[];
+}
+
+/** Panels over the times that the first knob runs through, and what is said under the picture. */
+export interface Timed {
+  times: number[];
+  panels: Panel[];
+  remarks: { text: string; joint: number }[];
+}
+
+/** A panel laid out on a picture, in px. */
+export interface PanelPlot {
+  box: [left: number, top: number, right: number, bottom: number];
+  across: [right: number, text: string][];
+  up: [down: number, text: string][];
+  zero: number | null;
+  whole: number[][][];
+  gone: number[][][];
+  bounds: number[];
+  bands: [from: number, to: number][];
+  now: number;
+}
+
 export interface Scene {
   name: string;
   motions: Motion[];
@@ -229,6 +261,7 @@ export interface Scene {
   floor: Floor | Nothing;
   fit: Fit | Nothing;
   chart: ChartScene | Nothing;
+  timed?: Timed | Nothing;
   /** The axis across the plane in which its first handle comes to the pointer from anywhere. */
   across?: number;
 }

@@ -229,7 +229,7 @@ def style() -> str:
     light, dark = (HtmlFormatter(style=name).get_style_defs(".highlight")
                    for name in ("default", "github-dark"))
     own = (_HERE / "site.css").read_text(encoding="utf-8")
-    return (f"{bundle.page_style('predict.css')}\n{light}\n"
+    return (f"{bundle.page_style('predict.css', 'timed.css')}\n{light}\n"
             f"@media screen and (prefers-color-scheme: dark) {{\n{dark}\n}}\n{own}")
 
 

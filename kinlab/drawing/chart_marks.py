@@ -1,6 +1,9 @@
-"""A chart as marks on paper, under the still picture; kinlab/browser/chart.js draws the same."""
+"""Charts as marks on paper, under the still picture; kinlab/browser/chart.js and timed.js draw the
+same.
+"""
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -10,6 +13,8 @@ from .chart import LINE, Chart, Curve, Plot, Px, Track, plot
 from .labels import text_size
 from .paints import FAINT, INK, PAINTS, pen
 from .still import Drawn, Mark
+
+Ticks = Sequence[tuple[float, str]]
 
 HEIGHT = 260.0                      # px of a chart under a picture
 _SMALL, _LARGE = 2.4, 4.6           # px: half a marker of the steps, and of this one
@@ -26,8 +31,8 @@ def chart_marks(chart: Chart, q: Numbers, size: tuple[float, float]) -> list[Dra
     drawn = [Drawn("chart", _frame(chart, laid))]
     for curve, track, (x, name) in zip(chart.curves, laid.tracks, laid.legend):
         y = laid.box[1] - 22
-        words = _words(name, x + LINE + 6, y, "left", PAINTS[curve.style].get("words", INK))
-        drawn.append(Drawn(f"chart-{name}", [*_curve(curve, track), *_sample(curve, x, y), words]))
+        said = words(name, x + LINE + 6, y, "left", PAINTS[curve.style].get("words", INK))
+        drawn.append(Drawn(f"chart-{name}", [*_curve(curve, track), *_sample(curve, x, y), said]))
     return [Drawn(part.gid, [replace(mark, lines=[line + [0, top] for line in mark.lines])
                              for mark in part.marks]) for part in drawn]
 
@@ -35,16 +40,20 @@ def chart_marks(chart: Chart, q: Numbers, size: tuple[float, float]) -> list[Dra
 def _frame(chart: Chart, laid: Plot) -> list[Mark]:
     """Grid, numbers and titles."""
     left, top, right, bottom = laid.box
-    lines = [np.array([(left, y), (right, y)]) for y, _ in laid.up]
-    lines += [np.array([(x, bottom), (x, bottom + 4)]) for x, _ in laid.across]
-    return [Mark(lines, _GRID),
-            *(_words(text, left - 7, y, "right") for y, text in laid.up),
-            *(_words(text, x, bottom + 13, "middle") for x, text in laid.across),
-            _words(chart.up, 4, top - 22, "left"),
-            _words(chart.across, (left + right) / 2, bottom + 31, "middle")]
+    return [*frame_lines(laid.box, laid.across, laid.up), words(chart.up, 4, top - 22, "left"),
+            words(chart.across, (left + right) / 2, bottom + 31, "middle")]
 
 
-def _words(text: str, x: float, y: float, side: str, colour: str = INK) -> Mark:
+def frame_lines(box: tuple[float, float, float, float], across: Ticks, up: Ticks) -> list[Mark]:
+    """Grid and numbers round a chart."""
+    left, _, right, bottom = box
+    lines = [np.array([(left, y), (right, y)]) for y, _ in up]
+    lines += [np.array([(x, bottom), (x, bottom + 4)]) for x, _ in across]
+    return [Mark(lines, _GRID), *(words(text, left - 7, y, "right") for y, text in up),
+            *(words(text, x, bottom + 13, "middle") for x, text in across)]
+
+
+def words(text: str, x: float, y: float, side: str, colour: str = INK) -> Mark:
     """Words that begin, end or have their middle at a place."""
     half = text_size(text)[0] / 2
     place = x + {"left": half, "right": -half, "middle": 0.0}[side]

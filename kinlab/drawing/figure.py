@@ -26,6 +26,7 @@ from .paints import Paint
 from .scene import Scene
 from .solids import OFFSETS, Across, Round
 from .still import Drawn, Mark, still
+from .timed_marks import timed_height, timed_marks
 
 _DPI = 108                                  # of a still picture
 _COLOURS = 256                              # of it: a lesson holds ten of them
@@ -62,6 +63,9 @@ def figure(scene: Scene, q: Numbers, preset: str = "",
     drawn, (width, height) = still(scene, q, preset, show), scene.size
     if scene.chart:
         drawn, height = [*drawn, *chart_marks(scene.chart, q, scene.size)], height + HEIGHT
+    if scene.timed:
+        drawn = [*drawn, *timed_marks(scene.timed, float(q[0]), (width, height))]
+        height += timed_height(scene.timed, width)
     return Figure([Part(one) for one in drawn], (width, height))
 
 

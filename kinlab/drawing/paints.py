@@ -110,6 +110,11 @@ PAINTS: dict[str, Paint] = {
     "target": _quantity("target", 2.2),
     "first": _quantity("first", 2),
     "second": _quantity("second", 2, dash=(10, 4)),
+    # More curves than two: each ink with another dash.
+    **{f"{ink}-solid": _quantity(ink, 2) for ink in ("second",)},
+    **{f"{ink}-dash": _quantity(ink, 2, dash=(10, 4)) for ink in ("first", "angle")},
+    **{f"{ink}-dots": _quantity(ink, 2, dash=(1.5, 4.5)) for ink in ("first", "second", "angle")},
+    "coming": pen("#eccbdc", 4.5),  # a way as a whole, pale under what is gone of it
 }
 # Solids that step back behind what is drawn over them.
 FAR = [style for style, paint in PAINTS.items() if "ramp" in paint]

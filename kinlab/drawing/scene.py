@@ -18,6 +18,7 @@ from .chart import Chart
 from .controls import Handle, Knob, PoseTable, Switch, Target, decimals
 from .paints import PAINTS
 from .readings import Point, Reading
+from .timed import Timed
 
 LINE, FACE, HULL, ARROW, TEXT, TRACE = "line", "face", "hull", "arrow", "text", "trace"
 TUBE, BALL, BOX, AXIS, NAME = "tube", "ball", "box", "axis", "name"
@@ -267,6 +268,7 @@ class Scene:
     floor: Floor | None = None
     fit: Fit | None = None                    # how the picture is framed; by the radius if left out
     chart: Chart | None = None                # beside the picture
+    timed: Timed | None = None                # curves over time, which the first knob runs through
 
     @property
     def scale(self) -> float:
@@ -280,10 +282,14 @@ class Scene:
 
     def frames(self, q: Numbers) -> np.ndarray:
         """Pose of every frame in the room, shape (len(motions) + 1, 4, 4)."""
-        frames = [Frame()]
+        frames, q = [Frame()], self.places(q)
         for step in self.motions:
             frames.append(step.frame(self.motions, frames, q))
         return np.stack([matrix(frame) for frame in frames])
+
+    def places(self, q: Numbers) -> Numbers:
+        """The knobs' values as motions and items take them: of a time the number of its sample."""
+        return [self.timed.place(float(q[0])), *q[1:]] if self.timed else q
 
     def middle(self, frames: np.ndarray) -> np.ndarray:
         """The point in the middle of the picture."""
@@ -307,15 +313,17 @@ class Scene:
 
     def read(self, q: Numbers) -> dict[str, tuple[np.ndarray | str, ...]]:
         """The vectors and amounts of every reading, by its name."""
-        frames = self.frames(q)
+        frames, q = self.frames(q), self.places(q)
         return {reading.name: tuple(part.read(self.motions, frames, q)
                                     for part in reading.parts)
                 for reading in self.readings}
 
     def _styles(self) -> dict[str, None]:
         curves = self.chart.curves if self.chart else ()
+        courses = [course for panel in self.timed.panels for course in panel.courses
+                   ] if self.timed else ()
         return dict.fromkeys(["amber", *(item.style for item in self.items),
-                              *(curve.style for curve in curves)])
+                              *(curve.style for curve in (*curves, *courses))])
 
     def _zero(self) -> list[float | None] | None:
         """Where Zero moves the knobs; None for those that stay, or for all of them."""
@@ -340,6 +348,7 @@ class Scene:
             "target": self.target and asdict(self.target),
             "handles": [asdict(handle) for handle in self.handles],
             "chart": self.chart and self.chart.data(),
+            **({"timed": self.timed.data()} if self.timed else {}),
             "floor": self.floor and asdict(self.floor), "fit": self.fit and asdict(self.fit),
             "decimals": decimals(self.radius) if self.decimals is None else self.decimals,
         }

@@ -138,7 +138,8 @@ class _Still:
         self.scene, self.size, self.q, self.show = scene, size, q, show
         self.frames = scene.frames(q)
         self.items = [self._worded(item) for item in scene.items
-                      if (not item.layer or item.layer in show) and is_there(item, q)]
+                      if (not item.layer or item.layer in show)
+                      and is_there(item, scene.places(q))]
         self.floor: Floor | None = scene.floor if "floor" in show or not any(
             switch.layer == "floor" for switch in scene.switches) else None
         self.lens = self.framed(Camera(*scene.presets[preset]))
@@ -171,7 +172,7 @@ class _Still:
         frames, balls = self.scene.frames(q), list[tuple[Numbers, float]]()
         for item in self.scene.items:
             if item.shape == AXIS:
-                origin, beyond = corners(item, self.scene.motions, frames, q)
+                origin, beyond = corners(item, self.scene.motions, frames, self.scene.places(q))
                 inside, rank = item.size
                 over = long * _PER_SHARED * rank + _NAME
                 balls.append((origin + (inside + _MORE * over / scale) * (beyond - origin), 0.0))
@@ -193,23 +194,23 @@ class _Still:
 
     def _room(self, item: Item) -> np.ndarray:
         """Where an item's points are in the room."""
-        return corners(item, self.scene.motions, self.frames, self.q)
+        return corners(item, self.scene.motions, self.frames, self.scene.places(self.q))
 
     def _extents(self, q: Numbers) -> Extents:
         """Balls that have to be seen.
 
         Ends of solids, what is drawn beside the arm, feet, and points that the scene names.
         """
-        floor, frames = self.scene.floor, self.scene.frames(q)
+        floor, frames, at = self.scene.floor, self.scene.frames(q), self.scene.places(q)
         balls: list[tuple[Numbers, float]] = []
         for item in self.scene.items:
             if item.shape in SOLIDS and "faded" not in PAINTS[item.style]:
-                ends = corners(item, self.scene.motions, frames, q)
+                ends = corners(item, self.scene.motions, frames, at)
                 radii = item.size if item.shape != BOX else (
                     float(np.linalg.norm(ends[2] - ends[0])),) * 2
                 balls += zip(ends, radii)
             elif item.shape in _STROKES and item.layer not in _UNFRAMED:
-                balls += ((point, 0.0) for point in corners(item, self.scene.motions, frames, q))
+                balls += ((point, 0.0) for point in corners(item, self.scene.motions, frames, at))
         for k in floor.drops if floor else ():
             assert floor
             x, y, z = frames[k][:3, 3]

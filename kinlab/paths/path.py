@@ -1,17 +1,19 @@
 """A path: where all joints are, how fast they move and speed up, at every time of a motion."""
 from __future__ import annotations
 
+import os
 from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Any, Protocol
 
 import numpy as np
 
-from ..arms import inputs
+from ..arms import files, inputs
 from ..arms.arm import Arm
 from ..arms.kinematics import jacobian, tool_poses
 from .breaches import Breach, breaches
 from .profiles import Profile
+from .table import as_csv
 
 RATE, FEWEST, MOST = 60.0, 120, 600  # samples: one for each picture of a screen (per s), and bounds
 
@@ -114,6 +116,30 @@ class Path:
                              f"got {inputs.brief(time)}")
         q = self._motion.states(np.atleast_1d(times))[0]
         return q if times.ndim else q[0]
+
+    def save_csv(self, path: str | os.PathLike) -> Any:
+        """Write the samples as a table: times, joint values, rates, accelerations and the tip.
+
+        Angles are in radians and lengths in the arm's unit, as the headings say. An older file of
+        this name is replaced.
+
+        Parameters
+        ----------
+        path : str or path
+            Where to write it; ends in ``.csv``.
+
+        Returns
+        -------
+        pathlib.Path
+
+        Raises
+        ------
+        ValueError
+            If the name does not end in ``.csv``, or the file cannot be written there.
+        """
+        target = files.target("path", path, (".csv",), "spreadsheets open a table by its ending")
+        text = as_csv(self.arm, self.t, (self.q, self.rates, self.accelerations, self.tip))
+        return files.write("path", target, text.encode("utf-8", "replace"))
 
     def __repr__(self) -> str:
         who = self.arm.name or "an arm"

@@ -199,6 +199,9 @@ class LiveView(anywidget.AnyWidget):
         shapes = {item.shape for item in self._scene.items}
         kinds = {part.kind for reading in self._scene.readings for part in reading.parts}
         needed = {"chart.js": self._scene.chart is not None, "cloud.js": CLOUD in shapes,
+                  "timed.js": self._scene.timed is not None,
+                  "following.js": self._scene.target is not None,
+                  "marks.js": self._scene.timed is None, "formula.js": bool(self.formula),
                   "turned.js": bool(kinds & TURNS)}
         return [module for module, wanted in needed.items() if not wanted]
 

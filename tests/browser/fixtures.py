@@ -12,7 +12,7 @@ from pathlib import Path
 import numpy as np
 from camera_fixtures import framings, orders
 from ground_fixtures import floor, labels
-from study_fixtures import charts, cloud, curves
+from study_fixtures import charts, cloud, curves, timed
 from turned_fixtures import turned
 
 import kinlab as kl
@@ -197,7 +197,7 @@ def _plain(face: Face) -> dict:
 
 
 FIXTURES = {"frames": frames, "numbers": numbers, "solids": solids, "labels": labels,
-            "floor": floor, "camera": framings, "order": orders, "chart": charts,
+            "floor": floor, "camera": framings, "order": orders, "chart": charts, "timed": timed,
             "curves": curves, "cloud": cloud, "turned": turned}
 
 

@@ -5,12 +5,15 @@ from dataclasses import asdict
 
 import numpy as np
 
+import kinlab as kl
 from kinlab.arms.motions import ROTATE, TRANSLATE
 from kinlab.drawing.camera import Camera
 from kinlab.drawing.chart import Chart, Curve, plot
 from kinlab.drawing.cloud import layers, packed, unpacked
 from kinlab.drawing.curves import corners, is_there
+from kinlab.drawing.path_picture import path_scene
 from kinlab.drawing.scene import AREA, LINE, PATCH, SWEEP, WAY, Item, Scene, Step, at
+from kinlab.drawing.timed import laid
 
 X, Y, Z = 0, 1, 2
 FALLING = Curve("newton", "first", "dot", (1.5, 0.4, 3e-3, 2e-7, 0.0))
@@ -18,6 +21,22 @@ SLOW = Curve("transpose", "second", "square", tuple(300 * 0.93 ** k for k in ran
 CHARTS = {"two": (Chart((FALLING, SLOW), "step", "error (mm)"), [0.0, 2.25, 4.0, 17.5, 99.0]),
           "one step": (Chart((Curve("a", "first", "dot", (1.0,)),), "step", "m"), [-1.0, 0.0]),
           "another knob": (Chart((FALLING,), "k", "e", 1), [3.0])}
+
+
+def timed() -> dict:
+    """Panels over time laid out on pictures of some sizes, at some times; a joint that slides."""
+    arm = kl.Arm([kl.revolute(a=1, speed=0.9, acceleration=4), kl.prismatic(limits=(-1, 0.5))])
+    path = kl.joint_path(arm, [0.2, -0.8], [1.4, 0.7], 2.0, "trapezoidal", ramp=0.25)
+    told = path_scene(arm, path).timed
+    data = told.data()
+    few = slice(0, None, 30)  # samples
+    times = [*data["times"][few], data["times"][-1]]
+    for course in (course for panel in data["panels"] for course in panel["courses"]):
+        course["values"] = [*course["values"][few], course["values"][-1]]
+    return {"times": times, "panels": [{"panel": panel, "plots": [
+        {"size": size, "time": time, "plot": _plain(asdict(laid(panel, times, size, time)))}
+        for size in ((320.0, 118.0), (560.0, 150.0), (1400.0, 200.0))
+        for time in (0.0, 0.731, 1.2, 2.0, 9.0)]} for panel in data["panels"]]}
 
 
 def charts() -> dict:

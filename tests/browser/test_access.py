@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from access import stops, violations
 from lab import set_theme
+from lesson_views import path_view
 from playwright.sync_api import expect
 from reading import RESTED, settle
 from test_predictions import ASKED, prediction
@@ -22,6 +23,7 @@ VIEWS = {
     "target": lambda: kl.TargetView(kl.robots.two_link()),
     "link": lambda: kl.link_view(kl.robots.alpha_ii(), 2),
     "steps": lambda: kl.solve_view(kl.robots.two_link(), [1, 0.5, 0]),
+    "path": path_view,
 }
 
 

@@ -29,7 +29,8 @@ def matrices(frames):
 
 def js_frames(page, scene, q):
     motions = scene.data()["motions"]
-    return matrices(page.evaluate("([m, q]) => kinlab.frames(m, q)", [motions, list(q)]))
+    return matrices(page.evaluate("([m, q]) => kinlab.frames(m, q)",
+                                  [motions, list(scene.places(q))]))
 
 
 @course

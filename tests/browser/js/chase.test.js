@@ -3,7 +3,8 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
 
-import { follower, reach, kept } from "../../../kinlab/browser/chase.js";
+import { kept } from "../../../kinlab/browser/chase.js";
+import { follower, reach } from "../../../kinlab/browser/following.js";
 import { frames } from "../../../kinlab/browser/frames.js";
 
 const { motions } = JSON.parse(

@@ -1,0 +1,200 @@
+"""Curves over time beside a picture, with the limits that they should keep.
+
+Each is drawn whole, and strongly as far as the time has gone. kinlab/browser/timed.js lays out the
+same.
+"""
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import asdict, dataclass
+from itertools import pairwise
+
+Px = tuple[float, float]
+
+LEFT, RIGHT, TOP, BOTTOM = 54.0, 12.0, 26.0, 22.0  # px of the margins round the curves
+_WIDE, _HIGH = 44.0, 26.0  # px that a number wants on an axis
+_AIR = 0.06                # of the range: beyond the farthest values
+_NEAR = 0.2                # of the range: a limit that is no farther beyond a curve is drawn
+_DIGITS = 5                # of a value: more are not seen
+
+
+@dataclass(frozen=True)
+class Course:
+    """A named curve: its values at the times; `joint` counts from 1."""
+
+    name: str
+    style: str
+    values: tuple[float, ...]
+    unit: str
+    joint: int | None = None
+
+
+@dataclass(frozen=True)
+class Bound:
+    """A value that a joint's curve should not pass."""
+
+    level: float
+    style: str
+    joint: int
+
+
+@dataclass(frozen=True)
+class Band:
+    """A stretch of time in which a joint's curve is beyond its bound."""
+
+    start: float
+    end: float
+    joint: int
+
+
+@dataclass(frozen=True)
+class Panel:
+    """Curves of one kind over the same times, under a title; with a `layer` a button shows it."""
+
+    title: str
+    courses: tuple[Course, ...]
+    bounds: tuple[Bound, ...] = ()
+    bands: tuple[Band, ...] = ()
+    layer: str = ""
+
+    @property
+    def near(self) -> tuple[Bound, ...]:
+        """The bounds that are drawn: those to which their joint's curve comes near."""
+        values = [v for course in self.courses for v in _finite(course)]
+        room = _NEAR * (max(values, default=0.0) - min(values, default=0.0))
+        ends = {course.joint: (min(_finite(course), default=0.0) - room,
+                               max(_finite(course), default=0.0) + room)
+                for course in self.courses}
+        return tuple(bound for bound in self.bounds
+                     if ends[bound.joint][0] <= bound.level <= ends[bound.joint][1])
+
+    @property
+    def ends(self) -> tuple[float, float]:
+        """Lowest and highest value that is seen: those of curves and bounds."""
+        seen = [*(v for course in self.courses for v in _finite(course)),
+                *(bound.level for bound in self.near)] or [0.0]
+        low, high = min(seen), max(seen)
+        air = _AIR * (high - low) or 0.1 * abs(high) or 1.0
+        return low - air, high + air
+
+    def data(self) -> dict:
+        """Plain data for the browser: what is infinite ends at the edge."""
+        low, high = self.ends
+        courses = [asdict(course) | {"values": [_short(min(max(v, low), high))
+                                                for v in course.values]}
+                   for course in self.courses]
+        bounds = [asdict(bound) for bound in self.near]
+        return {"title": self.title, "layer": self.layer, "low": low, "high": high,
+                "courses": courses, "bounds": bounds, "bands": [asdict(b) for b in self.bands]}
+
+
+@dataclass(frozen=True)
+class Remark:
+    """A sentence under the curves, about a joint."""
+
+    text: str
+    joint: int
+
+
+@dataclass(frozen=True)
+class Timed:
+    """Panels over the same times, which the scene's first knob runs through, and what is said.
+
+    Motions that follow a track, and ways, have a value for each of the times.
+    """
+
+    times: tuple[float, ...]
+    panels: tuple[Panel, ...]
+    remarks: tuple[Remark, ...] = ()
+
+    def place(self, time: float) -> float:
+        """The number of the sample at a time; between two of them a part of one."""
+        return place(self.times, time)
+
+    def data(self) -> dict:
+        """Plain data for the browser."""
+        return {"times": [_short(time, 6) for time in self.times],
+                "panels": [panel.data() for panel in self.panels],
+                "remarks": [asdict(remark) for remark in self.remarks]}
+
+
+@dataclass(frozen=True)
+class Laid:
+    """A panel on a picture: places in px from its upper left corner.
+
+    `across` and `up` are the ticks of the axes, `zero` where a value is 0. Of each course the whole
+    curve and the part that is gone; of bounds how far down, of bands where they begin and end.
+    """
+
+    box: tuple[float, float, float, float]  # left, top, right, bottom
+    across: tuple[tuple[float, str], ...]
+    up: tuple[tuple[float, str], ...]
+    zero: float | None
+    whole: tuple[tuple[Px, ...], ...]
+    gone: tuple[tuple[Px, ...], ...]
+    bounds: tuple[float, ...]
+    bands: tuple[tuple[float, float], ...]
+    now: float
+
+
+def laid(panel: dict, times: Sequence[float], size: tuple[float, float], time: float) -> Laid:
+    """A panel's plain data on a picture of this size, at a time."""
+    width, height = size
+    left, top, right, bottom = box = (LEFT, TOP, width - RIGHT, height - BOTTOM)
+    low, high, last = panel["low"], panel["high"], times[-1]
+    wide, deep = (right - left) / last, (bottom - top) / (high - low)
+
+    def down(value: float) -> float:
+        return bottom - (value - low) * deep
+
+    whole = tuple(tuple((left + t * wide, down(v)) for t, v in zip(times, course["values"]))
+                  for course in panel["courses"])
+    at = place(times, time)
+    return Laid(box, tuple((left + t * wide, text) for t, text in _ticks(0.0, last, _WIDE / wide)),
+                tuple((down(v), text) for v, text in _ticks(low, high, _HIGH / deep)),
+                down(0.0) if low <= 0 <= high else None, whole,
+                tuple(_gone(points, at) for points in whole),
+                tuple(down(bound["level"]) for bound in panel["bounds"]),
+                tuple((left + band["start"] * wide, left + band["end"] * wide)
+                      for band in panel["bands"]),
+                left + min(max(time, 0.0), last) * wide)
+
+
+def place(times: Sequence[float], time: float) -> float:
+    """The number of the sample at a time, or between which two it is."""
+    if time >= times[-1]:
+        return len(times) - 1.0
+    k = next(k for k, (_, after) in enumerate(pairwise(times)) if time < after)
+    return k + max(0.0, (time - times[k]) / (times[k + 1] - times[k]))
+
+
+def _gone(points: Sequence[Px], at: float) -> tuple[Px, ...]:
+    k = math.floor(at)
+    if at == k:
+        return tuple(points[:k + 1])
+    (x, y), (u, v) = points[k:k + 2]
+    return (*points[:k + 1], (x + (at - k) * (u - x), y + (at - k) * (v - y)))
+
+
+def _ticks(low: float, high: float, least: float) -> list[tuple[float, str]]:
+    """Round numbers from low to high, at least so far apart, and how they are written."""
+    tens = math.floor(math.log10(least))
+    step, digits = next((k * 10.0 ** e, max(0, -e)) for e in (tens, tens + 1) for k in (1, 2, 5)
+                        if k * 10.0 ** e >= least * (1 - 1e-9))
+    first = math.ceil(low / step - 1e-9)
+    count = math.floor(high / step + 1e-9) - first + 1
+    return [((first + k) * step, _number((first + k) * step, digits)) for k in range(count)]
+
+
+def _number(value: float, digits: int) -> str:
+    text = f"{abs(value):.{digits}f}"
+    return f"−{text}" if value < 0 and float(text) else text
+
+
+def _finite(course: Course) -> list[float]:
+    return [value for value in course.values if math.isfinite(value)]
+
+
+def _short(value: float, digits: int = _DIGITS) -> float:
+    return float(f"{value:.{digits}g}")
