@@ -13,7 +13,8 @@ from itertools import pairwise
 
 import numpy as np
 
-from ..arms.motions import ROTATE, TRANSLATE, Frame, follow, matrix
+from ..arms.motions import ROTATE, TRANSLATE
+from .hand import GRIP, Hand, flanged_hand, free_hand
 from .layout import Layout
 from .readings import Point
 from .scene import BALL, BOX, TUBE, Item, at
@@ -27,17 +28,20 @@ _ROD = 0.6             # half width of a rod
 THIN, TAPER = 0.7, 0.56  # radius of a link where it begins and where it ends
 _STEM = 1.45           # radius of the column on the base
 PLATE = 0.32           # height of the base
-_GRIP = 2.7            # how far a gripper reaches
-_NOTHING = 1e-6        # of the arm's size: a slide that nobody sees
+_FLANGE = 0.3          # half the height of a joint that turns a hand right before the wrist
+_SHORT = 3.6           # nearer than this to its wrist, a tool has no room for joint and gripper
 _UPRIGHT = 0.9         # cosine: nearer than this to an axis counts as along it
 
 
 @dataclass(frozen=True)
 class Place:
-    """Where along its axis a joint's body is drawn, and whether it is a telescope's outer tube."""
+    """Where along its axis a joint's body is drawn, and whether it is a telescope's outer tube or
+    only the flange of a hand.
+    """
 
     along: float
     telescope: bool = False
+    flange: bool = False
 
 
 class Bodies:
@@ -48,6 +52,7 @@ class Bodies:
         self.taken: list[np.ndarray] = []
         self.places = [self._place(i) for i in range(layout.arm.n)]
         self.ground = self._ground()
+        self.hand = self._hand()
 
     def items(self) -> list[Item]:
         """Base, links, joints and gripper."""
@@ -58,8 +63,7 @@ class Bodies:
 
     def crowded(self, frame: int) -> bool:
         """Whether a joint's body lies about the origin of a frame, at home."""
-        origin = self.layout.home[frame][:3, 3]
-        return any(np.linalg.norm(origin - place) < 0.5 * self.t for place in self.taken)
+        return self._covered(self.layout.home[frame][:3, 3])
 
     # ---- where joints are drawn ----
 
@@ -67,6 +71,8 @@ class Bodies:
         if self._telescopes(i):
             self.taken.append(self._point(i, -3.1 * self.t))
             return Place(-3.1 * self.t, True)
+        if i + 1 == self.layout.arm.n and (flange := self._flange(i)):
+            return flange
         first, step = self._wish(i), 2.3 * self.t * self._forward(i)
         for place in first + step * np.array([0, 1, -1, 2, -2, 3, -3]):
             if all(np.linalg.norm(self._point(i, place) - other) > 2 * self.t
@@ -81,13 +87,39 @@ class Bodies:
         return frame[:3, 3] + along * frame[:3, 2]
 
     def _wish(self, i: int) -> float:
-        """Part of the way along a long offset; below the first joint's frame where it stands."""
+        """Part of the way along a long offset, or up to a first joint's frame that is high; below
+        the frame where that stands on the ground.
+        """
         long = self._offset(i)
         if abs(long) > 4.5 * self.t:
             return 0.35 * long
         upright = i == 0 and self.layout.home[self.layout.joints[0]][2, 2] > _UPRIGHT
-        low = self._point(0, 0)[2] < 2.3 * self.t
-        return -2.3 * self.t if upright and low and not self.layout.slides(0) else 0.0
+        if not upright or self.layout.slides(0):
+            return 0.0
+        high = float(self._point(0, 0)[2])
+        if high > 4.5 * self.t:
+            return -0.65 * high
+        return -2.3 * self.t if high < 2.3 * self.t else 0.0
+
+    def _flange(self, i: int) -> Place | None:
+        """The flange of a last joint that turns a hand in the midst of a wrist: another joint is
+        in its place, and the tool is on its axis, so near that a whole drum would cover the hand.
+        """
+        frame, tip = self.layout.home[self.layout.joints[i]], self.layout.home[-1][:3, 3]
+        aside = np.linalg.norm(np.cross(frame[:3, 2], tip - frame[:3, 3]))
+        if self.layout.slides(i) or aside > 1e-3 * self.t or abs(self._along(i)) > _SHORT * self.t:
+            return None
+        along = (-1 if self._along(i) < -1e-3 * self.t else 1) * (HALF + _FLANGE) * self.t
+        point = self._point(i, along)
+        away = [float(np.linalg.norm(point - other)) / self.t for other in self.taken]
+        if not self._covered(frame[:3, 3]) or min(away) < HALF:
+            return None
+        self.taken.append(point)
+        return Place(along, flange=True)
+
+    def _covered(self, point: np.ndarray) -> bool:
+        """Whether a joint's body lies about a point, at home."""
+        return any(np.linalg.norm(point - place) < 0.5 * self.t for place in self.taken)
 
     def _offset(self, i: int) -> float:
         """The constant slide along the axis of a joint that turns, right after it."""
@@ -100,9 +132,12 @@ class Bodies:
 
     def _forward(self, i: int) -> int:
         """The side of the axis on which the rest of the arm lies: 1 or -1."""
+        return 1 if self._along(i) > self.t else -1
+
+    def _along(self, i: int) -> float:
+        """How far along the axis of a joint the tool is."""
         frame = self.layout.home[self.layout.joints[i]]
-        ahead = frame[:3, 2] @ (self.layout.home[-1][:3, 3] - frame[:3, 3])
-        return 1 if ahead > self.t else -1
+        return float(frame[:3, 2] @ (self.layout.home[-1][:3, 3] - frame[:3, 3]))
 
     def _telescopes(self, i: int) -> bool:
         """Whether a joint slides out of the link before it, or straight up out of the base."""
@@ -122,6 +157,13 @@ class Bodies:
         upright = abs(frame[2, 2])
         lowest = self.taken[0][2] - self.t * (tall * upright + 1.1 * (1 - upright))
         return 0.0 if lowest > 0.5 * self.t else float(lowest - 0.58 * self.t)
+
+    def _hand(self) -> Hand:
+        along = self.places[-1].along
+        if not self.places[-1].flange:
+            return free_hand(self.layout)
+        face = along + np.sign(along) * _FLANGE * self.t
+        return flanged_hand(self.layout, float(face), self._along(self.layout.arm.n - 1))
 
     # ---- base, links, gripper ----
 
@@ -151,6 +193,9 @@ class Bodies:
         start = (np.array([0, 0, self.ground + PLATE * self.t]) if i < 0 else
                  self.places[i].along * (0 if self.layout.slides(i) else 1) * _AXES[2])
         way = [start, *(self._seen(frame, home[k][:3, 3]) for k in range(frame, stop + 1))]
+        if end and self.places[i].flange:
+            tip = home[-1][:3, 3] + home[-1][:3, :3] @ self.hand.tip
+            return frame, [start, self._seen(frame, tip)]
         if not end:
             way.append(self._seen(frame, self._point(i + 1, self.places[i + 1].along)))
         return frame, _straightened(way, 1e-3 * self.t)
@@ -165,7 +210,7 @@ class Bodies:
         """One straight tube of a link, cut off at the skin of what it meets."""
         a, b = ends
         length = float(np.linalg.norm(b - a))
-        way, t = (b - a) / length, self.t
+        way, t = (b - a) / (length or 1.0), self.t
         skip = (0 if i < 0 or self.layout.slides(i) else self._skin(i, way[2])) if first \
             else 0.35 * t
         stop = self._end(i, frame, way) if last else 0.35 * t
@@ -178,7 +223,7 @@ class Bodies:
     def _end(self, i: int, frame: int, way: np.ndarray) -> float:
         """How far before its end a link stops: at the next joint, or at the gripper."""
         if i + 1 == self.layout.arm.n:
-            return (_GRIP + 0.14) * self.t
+            return (GRIP + 0.14) * self.hand.size
         home, joint = self.layout.home, self.layout.joints[i + 1]
         axis = home[frame][:3, :3].T @ home[joint][:3, 2]
         return self._skin(i + 1, float(way @ axis))
@@ -189,7 +234,10 @@ class Bodies:
         if self.layout.slides(i):
             half = _OUTER if self.places[i].telescope else 1.8
             return (half if straight else 1.15) * self.t
-        return (HALF if straight else SKIN) * self.t
+        return (self._half(i) if straight else SKIN) * self.t
+
+    def _half(self, i: int) -> float:
+        return _FLANGE if self.places[i].flange else HALF
 
     def _rods(self, i: int, frame: int, *, bare: bool) -> Iterator[Item]:
         """A rod of constant length through the sleeve: what stands out ahead and behind.
@@ -199,7 +247,7 @@ class Bodies:
         """
         (low, high), place, t = self.layout.range(i), self.places[i], self.t
         half = (_OUTER if place.telescope else _SLEEVE) * t
-        hand = (0.5 - _GRIP) * t if bare and i + 1 == self.layout.arm.n else 0.0
+        hand = (0.5 - GRIP) * t if bare and i + 1 == self.layout.arm.n else 0.0
         ahead = 2.5 * t - low if low < 0 else hand
         behind = -high - 2.5 * t if high > 0 else -hand
         yield self._rod(f"rod-{i + 1}", i, (frame - 1, place.along + half), (frame, ahead))
@@ -219,26 +267,14 @@ class Bodies:
             low, high = place.along - half * t, place.along + half * t
             points = at(frame, (0, 0, low), (0, 0, high), (wide * t, 0, low), (0, wide * t, low))
             return self._item(f"joint-{i + 1}", BOX, "sleeve", points, i, joint=i + 1)
-        low, high = place.along - HALF * t, place.along + HALF * t
+        low, high = place.along - self._half(i) * t, place.along + self._half(i) * t
         return self._item(f"joint-{i + 1}", TUBE, "iron", at(frame + 1, (0, 0, low), (0, 0, high)),
                           i + 1, (t, t), i + 1)
 
     def _gripper(self) -> Iterator[Item]:
-        """A palm and two fingers that close across the way they reach, up to the tool point."""
-        t, frame, n = self.t, self.layout.last, self.layout.arm.n
-        w = _approach(self.layout)
-        v = _AXES[1] if abs(w[1]) < _UPRIGHT else _AXES[0]
-        v = unit(v - (v @ w) * w)
-        u = np.cross(v, w)
-
-        def bar(gid: str, a: np.ndarray, b: np.ndarray, one: np.ndarray, two: np.ndarray) -> Item:
-            return self._item(gid, BOX, "grip", at(frame, a, b, a + one, a + two), n)
-
-        yield bar("gripper", -2.4 * t * w - 1.15 * t * v, -2.4 * t * w + 1.15 * t * v,
-                  0.42 * t * w, 0.5 * t * u)
-        for name, side in (("left", -0.88), ("right", 0.88)):
-            yield bar(f"finger-{name}", -1.98 * t * w + side * t * v, 0.1 * t * w + side * t * v,
-                      0.2 * t * v, 0.36 * t * u)
+        for gid, corners in self.hand.bars():
+            yield self._item(gid, BOX, "grip", at(self.layout.last, *corners),
+                             self.layout.arm.n)
 
     def _item(self, gid: str, shape: str, style: str, points: tuple[Point, ...], link: int,
               size: tuple[float, ...] = (), joint: int | None = None) -> Item:
@@ -259,15 +295,3 @@ def _straightened(way: list[np.ndarray], near: float) -> list[np.ndarray]:
             corners.append(point)
     return corners + kept[1:][-1:]
 
-
-def _approach(layout: Layout) -> np.ndarray:
-    """Direction of the last slide in the tool frame; z where a joint turns after it."""
-    turned = max(k for k, motion in enumerate(layout.motions) if motion.joint is not None)
-    slides = [k for k, m in enumerate(layout.motions) if m.kind == TRANSLATE and k >= turned
-              and (m.joint is not None or abs(m.amount) > _NOTHING * layout.radius)]
-    if not slides:
-        return _AXES[2]
-    last = layout.motions[slides[-1]]
-    rest = matrix(follow(layout.motions[slides[-1] + 1:], (), Frame()))
-    way = last.amount if last.joint is None else sum(layout.range(last.joint))
-    return (-1 if way < 0 else 1) * rest[:3, :3].T @ _AXES[last.axis]

@@ -151,12 +151,21 @@ def test_what_says_that_it_moves_with_a_link_does(arm, share):
                     assert item.link > i or np.allclose(before[k], after[k], atol=1e-12), item.gid
 
 
+def has_flange(drawn, arm, thick):
+    """Whether the last joint is drawn as the flange of a hand: a disc before the wrist."""
+    item, room = drawn[f"joint-{arm.n}"]
+    return item.shape != BOX and np.linalg.norm(room[1] - room[0]) < thick
+
+
 def assert_apart(arm):
-    """No joint stands in another's place at home."""
+    """No joint stands in another's place at home. A flange, a thin disc, touches the next one."""
     scene = arm_scene(arm)
     drawn = solids(scene, arm.home)
     middles = np.array([drawn[f"joint-{i}"][1][:2].mean(axis=0) for i in range(1, arm.n + 1)])
     apart = np.linalg.norm(middles[:, None] - middles, axis=-1) + 1e9 * np.eye(arm.n)
+    if has_flange(drawn, arm, scene.fit.thick):
+        assert apart[-1].min() > 1.01 * scene.fit.thick
+        apart = apart[:-1, :-1]
     assert apart.min() > 1.9 * scene.fit.thick
 
 
@@ -185,8 +194,57 @@ def test_fingers_end_at_the_tool_point(arm, share):
     ends = np.array([drawn[f"finger-{side}"][1][1] for side in ("left", "right")])
     palm = drawn["gripper"][1][:2].mean(axis=0)
     ahead = ends.mean(axis=0) - palm
+    if has_flange(drawn, arm, scene.fit.thick):
+        return assert_hand_on_flange(drawn, arm, ends.mean(axis=0), ahead, T, scene.fit.thick)
     close(np.linalg.norm(ends.mean(axis=0) - T[:3, 3]), 0.1 * scene.fit.thick, rtol=1e-6)
     close(np.linalg.norm(ahead), 2.5 * scene.fit.thick, rtol=1e-6)
+
+
+def assert_hand_on_flange(drawn, arm, end, ahead, T, thick):
+    """It points away from the wrist along the last axis. Where there is room it is small and ends
+    at the tool; else it stands beyond, clear of the wrist.
+    """
+    _, disc = drawn[f"joint-{arm.n}"]
+    size, away = np.linalg.norm(ahead) / 2.5, ahead / np.linalg.norm(ahead)
+    face = max(disc @ away)
+    close(np.linalg.norm(np.cross(away, disc[1] - disc[0])), 0, atol=1e-9 * thick)
+    assert size <= 1.0001 * thick and end @ away - 2.5 * size - face > -0.2 * thick
+    if T[:3, 3] @ away - face > 0.51 * thick:
+        close(np.linalg.norm(end - T[:3, 3]), 0.1 * size, rtol=1e-6)
+    else:
+        close(size, 0.8 * thick, rtol=1e-6)
+        close(end @ away - face, 2.8 * size, rtol=1e-6)
+
+
+@pytest.mark.parametrize("name, beyond", [("puma_560", True), ("puma_560_craig", True),
+                                          ("kr210", False)])
+def test_a_hand_right_before_a_wrist_is_on_a_flange(name, beyond):
+    """The tool of the PUMA is in its wrist; that of the KR 210 near it: a small gripper ends there.
+    """
+    arm = getattr(kl.robots, name)()
+    scene = arm_scene(arm)
+    drawn, T, thick = solids(scene, arm.home), kl.forward_kinematics(arm, arm.home), scene.fit.thick
+    assert has_flange(drawn, arm, thick)
+    end = np.mean([drawn[f"finger-{side}"][1][1] for side in ("left", "right")], axis=0)
+    assert_hand_on_flange(drawn, arm, end, end - drawn["gripper"][1][:2].mean(axis=0), T, thick)
+    assert ((end - T[:3, 3]) @ T[:3, 2] > 3 * thick) == beyond
+    assert_apart(arm)
+    assert_whole(arm, arm.home, *joint_ranges(arm))
+
+
+@pytest.mark.parametrize("name", ["stanford", "scara", "ur5", "panda"])
+def test_a_hand_with_room_has_a_whole_joint(name):
+    arm = getattr(kl.robots, name)()
+    scene = arm_scene(arm)
+    assert not has_flange(solids(scene, arm.home), arm, scene.fit.thick)
+
+
+def test_a_first_joint_high_on_its_base_stands_below_the_second():
+    """As in a table with d1: a third of the way up the column, and the shoulder is free."""
+    scene = arm_scene(kl.robots.puma_560_craig())
+    drawn = solids(scene, np.zeros(6))
+    close(drawn["joint-1"][1][:2].mean(axis=0), [0, 0, 0.35 * 0.672])
+    close(drawn["joint-2"][1][:2].mean(axis=0), [0, 0, 0.672], atol=1e-12)
 
 
 @course
