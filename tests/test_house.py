@@ -41,7 +41,7 @@ LIBRARIES = {
     "arms.symbolic": {"sympy"}, "arms.letters": {"sympy"}, "arms.notation": {"sympy"},
     "arms.growing": {"sympy"},
     "arms.motions": {"sympy"}, "arms.workspace": {"tqdm"}, "drawing.figure": {"matplotlib", "PIL"},
-    "drawing.film": {"PIL", "tqdm"}, "drawing.legend": {"matplotlib"},
+    "drawing.film": {"PIL"}, "drawing.legend": {"matplotlib"},
     "drawing.workspace_figures": {"matplotlib"}, "browser.mathml": {"latex2mathml"},
     "browser.page": {"jinja2", "PIL"}, "browser.bundle": {"rjsmin"},
     "views.live": {"anywidget", "traitlets"}, "views.prediction": {"traitlets"},

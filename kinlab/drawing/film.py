@@ -6,8 +6,8 @@ from collections.abc import Sequence
 
 import numpy as np
 from PIL import Image, ImageColor
-from tqdm.auto import tqdm
 
+from ..arms.workspace import ProgressBar
 from . import worker
 from .paints import COLOURS
 from .scene import Scene
@@ -26,8 +26,11 @@ def gif(scene: Scene, preset: str, show: Sequence[str], end: float, *, fps: int,
     seconds, to a hundredth.
     """
     times = frame_times(end, fps)
-    pictures = [_scaled(worker.png(scene, [time], preset, show), width)
-                for time in tqdm(times, desc="film", unit="picture", leave=False)]
+    pictures = []
+    with ProgressBar("film") as done:
+        for time in times:
+            pictures.append(_scaled(worker.png(scene, [time], preset, show), width))
+            done(len(pictures), len(times))
     first, *others = _alike(pictures)
     film = io.BytesIO()
     first.save(film, "GIF", save_all=True, append_images=others, loop=0, optimize=False,
