@@ -59,6 +59,13 @@ def test_every_arm_is_itself_in_the_other_convention(name):
         assert [link.speed for link in other.links] == [link.speed for link in arm.links]
 
 
+def test_every_two_arms_differ_but_for_the_two_tables_of_the_puma():
+    arms = {name: make() for name, make in ARMS.items()}
+    same = {(one, other) for one in arms for other in arms if one < other
+            and kl.same_mechanism(arms[one], arms[other]).ok}
+    assert same == {("puma_560", "puma_560_craig")}
+
+
 @every
 def test_a_slip_in_the_table_of_every_arm_is_named(name):
     """One length, one twist: neither is the arm any more, and the row is named."""
