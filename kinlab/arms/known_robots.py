@@ -87,7 +87,7 @@ def stanford() -> Arm:
     inches, which it estimated from a photograph; the turns are from a paper of IJCAI 1973. d1,
     0 in the books, is the height of the shoulder above the floor. No speeds were found. Joint 3
     has theta = 0 as in the books; the toolbox has -90 degrees there.
-    Home, ours: q = (0, 60 deg, 0.6 m, 0, 30 deg, 0).
+    Home, ours: q = (0, 75 deg, 0.6 m, 0, 45 deg, 0), the boom's tail clear of the floor.
 
     Examples
     --------
@@ -103,7 +103,7 @@ def stanford() -> Arm:
         revolute(alpha=RIGHT, limits=between(-90, 90), name="wrist bend"),
         revolute(d=0.263, limits=far, name="hand rotation")]
     return Arm(links, name="Stanford arm", unit="m",
-               home=[0, radians(60), 0.6, 0, radians(30), 0])
+               home=[0, radians(75), 0.6, 0, radians(45), 0])
 
 
 def scara() -> Arm:
