@@ -72,17 +72,21 @@ class Samples:
     rates: np.ndarray
     accelerations: np.ndarray
     tip: np.ndarray
+    tip_way: np.ndarray
     tip_speed: np.ndarray
     broken: Sequence[Broken]
 
 
 def seen(path: Moved) -> Samples:
     """Those samples without which a picture or a curve would be seen to be another one."""
+    steps = np.linalg.norm(np.diff(path.tip, axis=0), axis=1)
+    way = np.concatenate([[0.0], np.cumsum(steps)])
     series = (path.q, path.rates, path.accelerations, path.tip, path.tip_speed[:, None])
     shares = [weight * _shares(values) for weight, values in zip((4, 1, 1, 4, 1), series)]
     kept = _kept(path.t, np.hstack(shares))  # the arm itself is seen four times as well
     return Samples(path.duration, path.t[kept], path.q[kept], path.rates[kept],
-                   path.accelerations[kept], path.tip[kept], path.tip_speed[kept], path.broken)
+                   path.accelerations[kept], path.tip[kept], way[kept], path.tip_speed[kept],
+                   path.broken)
 
 
 def _shares(values: np.ndarray) -> np.ndarray:
@@ -108,9 +112,10 @@ def _straight(t: np.ndarray, values: np.ndarray, start: int, end: int) -> bool:
     return bool(np.abs(line - values[start:end + 1]).max() <= BLIND)
 
 
-def path_scene(arm: Arm, path: Moved, *, name: str = "", show: Any = (), preset: str = "") -> Scene:
+def path_scene(arm: Arm, motion: Moved, *, name: str = "", show: Any = (),
+               preset: str = "") -> Scene:
     """The arm, moved along a path by the knob "time", with its tip's way and curves over time."""
-    path = seen(path)
+    path = seen(motion)
     scene = arm_scene(arm, path.q[0], show=show, preset=preset)
     tracks = path.q.T
     motions = tuple(_tracked(step, tracks) for step in scene.motions)
@@ -139,7 +144,7 @@ def _tracked(step: Any, tracks: np.ndarray) -> Any:
     return replace(step, joint=0, track=tuple(round(float(value), 6) for value in values))
 
 
-def _way(path: Moved, radius: float) -> list[Item]:
+def _way(path: Samples, radius: float) -> list[Item]:
     """The tip's way, pale, and what is gone of it, strong."""
     digits = 5 - math.floor(math.log10(radius))
     points = at(0, *np.round(path.tip, digits))
@@ -149,7 +154,7 @@ def _way(path: Moved, radius: float) -> list[Item]:
                  part="trace")]
 
 
-def _fit(arm: Arm, path: Moved, scene: Scene) -> Fit | None:
+def _fit(arm: Arm, path: Samples, scene: Scene) -> Fit | None:
     """A frame that holds the arm at all times."""
     places = np.concatenate([frame_poses(arm, path.q)[..., :3, 3].reshape(-1, 3), path.tip])
     edge = EDGE * scene.radius
@@ -160,8 +165,8 @@ def _fit(arm: Arm, path: Moved, scene: Scene) -> Fit | None:
                at(0, *corners))
 
 
-def _panels(arm: Arm, path: Moved) -> list[Panel]:
-    """Joint values, rates, accelerations, and how fast the tip goes."""
+def _panels(arm: Arm, path: Samples) -> list[Panel]:
+    """Joint values, rates, accelerations, how far the tip has gone, and how fast it goes."""
     labels = [knob.label for knob in joint_knobs(arm)]
     panels = []
     for order, values in enumerate((path.q, path.rates, path.accelerations)):
@@ -170,11 +175,13 @@ def _panels(arm: Arm, path: Moved) -> list[Panel]:
             if joints:
                 panels.append(_panel(arm, path, order, joints, labels, values,
                                      words.replace("{}", arm.unit)))
-    speed = Course("tip", "trace", tuple(path.tip_speed.tolist()), f"{arm.unit}/s")
-    return [*panels, Panel(f"speed of the tip ({arm.unit}/s)", (speed,))]
+    way, speed = (Course("tip", "trace", tuple(values.tolist()), unit) for values, unit in
+                  ((path.tip_way, arm.unit), (path.tip_speed, f"{arm.unit}/s")))
+    return [*panels, Panel(f"way of the tip ({arm.unit})", (way,)),
+            Panel(f"speed of the tip ({arm.unit}/s)", (speed,), layer="speed of the tip")]
 
 
-def _panel(arm: Arm, path: Moved, order: int, joints: list[int], labels: list[str],
+def _panel(arm: Arm, path: Samples, order: int, joints: list[int], labels: list[str],
            values: np.ndarray, title: str) -> Panel:
     """The curves of some joints, with their bounds."""
     turns = arm.joints[joints[0]].kind == REVOLUTE

@@ -24,9 +24,9 @@ class PathView(LiveView):
     """A path, to be played and to be scrubbed through: the arm, and its curves over time.
 
     The picture shows the tool's whole way, pale, and what is gone of it. Beside it stand the
-    joints' values, their rates, their accelerations (once they are switched on) and the speed of
-    the tip; limits are dashed, and where one is broken a band marks it. A name of a joint singles
-    its curves out. Play takes as long as the motion does.
+    joints' values, their rates and how far the tip has gone, and once they are switched on the
+    accelerations and the speed of the tip; limits are dashed, and where one is broken a band marks
+    it. A name of a joint singles its curves out. Play takes as long as the motion does.
 
     Parameters
     ----------

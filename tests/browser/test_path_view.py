@@ -108,22 +108,22 @@ STRONG = """view => [...view.querySelectorAll('[data-course]')].filter(
 def test_a_name_singles_its_joint_out_pressed_or_pointed_at(path_page):
     page, view = path_page
     second = view.get_by_role("button", name="θ₂")
-    assert view.evaluate(STRONG) == ["θ₁", "θ₂", "θ₁", "θ₂", "θ₁", "θ₂", "tip"]
+    assert view.evaluate(STRONG) == ["θ₁", "θ₂", "θ₁", "θ₂", "θ₁", "θ₂", "tip", "tip"]
     second.hover()
     page.clock.run_for(200)
-    assert view.evaluate(STRONG) == [*["θ₂"] * 3, "tip"]
+    assert view.evaluate(STRONG) == [*["θ₂"] * 3, "tip", "tip"]
     page.mouse.move(5, 5)
     page.clock.run_for(200)
-    assert len(view.evaluate(STRONG)) == 7
+    assert len(view.evaluate(STRONG)) == 8
     second.click()
     page.mouse.move(5, 5)
     page.clock.run_for(200)
-    assert view.evaluate(STRONG) == [*["θ₂"] * 3, "tip"]
+    assert view.evaluate(STRONG) == [*["θ₂"] * 3, "tip", "tip"]
     assert second.get_attribute("aria-pressed") == "true"
     second.click()
     page.mouse.move(5, 5)
     page.clock.run_for(200)
-    assert len(view.evaluate(STRONG)) == 7
+    assert len(view.evaluate(STRONG)) == 8
     assert second.get_attribute("aria-pressed") == "false"
 
 
@@ -196,7 +196,7 @@ def test_pointing_at_a_link_lights_its_curves(path_page):
     page, view = path_page
     view.locator(LINK).first.dispatch_event("pointerover", {"pointerType": "mouse"})
     page.clock.run_for(200)
-    assert view.evaluate(STRONG) == [*["θ₂"] * 3, "tip"]
+    assert view.evaluate(STRONG) == [*["θ₂"] * 3, "tip", "tip"]
 
 
 def test_a_saved_state_shows_the_same_again(page):

@@ -30,6 +30,16 @@ def test_its_knob_is_the_time(view):
     assert view.time == 0.4 and view.T == pytest.approx(kl.forward_kinematics(ARM, [1, -0.5]))
 
 
+@pytest.mark.parametrize("path, length", [
+    (kl.straight_path(ARM, [1.2, 0.1, 0], [-1.2, 0.1, 0], 2), 2.4),
+    (kl.joint_path(ARM, [0, 2 * math.pi / 3], [math.pi / 2, 2 * math.pi / 3], 2), math.pi / 2)])
+def test_the_way_of_the_tip_is_as_long_as_its_line_or_its_arc(path, length):
+    """With the elbow at 120 degrees the tip is 1 m from the base: a quarter turn is pi / 2."""
+    (way,) = [panel.courses[0] for panel in kl.PathView(ARM, path)._scene.timed.panels
+              if panel.title == "way of the tip (m)"]
+    assert way.values[0] == 0 and way.values[-1] == pytest.approx(length, rel=1e-4)
+
+
 def test_its_words_say_where_the_arm_is_and_what_is_broken():
     view = path_view()
     view.time = 1
