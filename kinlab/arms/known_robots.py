@@ -56,12 +56,12 @@ def puma_560_craig() -> Arm:
     Craig's frame 0, which lies in the shoulder; the home q = (0, -45, 0, 0, -45, 0) degrees.
     Craig gives no limits.
 
-    It is the same mechanism as `puma_560`: all axes point the same way, and frames 2 to 6 are
-    the same but for the convention. Two things differ. Craig's frame 0 lies in the shoulder. And
-    joints 1 and 2 count from zeros half a turn away: this arm at (q1, q2, q3, ...) stands as
-    `puma_560` at (q1 + 180, q2 + 180, q3, ...) degrees. So at q1 = 0 Craig's shoulder is on the
-    other side, a left arm, and at q2 = q3 = 0 its forearm hangs down where the other one's
-    stands up.
+    It is the same mechanism as `puma_560`, as `kl.same_mechanism` says, too: all axes point the
+    same way, no joint counts backwards, the tool is the same, and in the modified convention
+    frames 2 to 6 are. Two things differ. Craig's frame 0 lies in the shoulder. And joints 1 and 2
+    count from zeros half a turn away: this arm at (q1, q2, q3, ...) stands as `puma_560` at
+    (q1 + 180, q2 + 180, q3, ...) degrees. So at q1 = 0 Craig's shoulder is on the other side, a
+    left arm, and at q2 = q3 = 0 its forearm hangs down where the other one's stands up.
 
     Examples
     --------
@@ -113,7 +113,7 @@ def scara() -> Arm:
     SCARA robot (standard DH; the book was not seen, lectures that follow it agree): the table,
     d1 = 877, a1 = 425, a2 = 375, d4 = 200 mm, and a slide of 0 to 195 mm. Since alpha1 = 180
     degrees, joints 2 and 4 turn about axes that point down. Limits of the turns, ours: 150, 150
-    and 180 degrees either way. No speeds were found in the book's numbers.
+    and 180 degrees either way. No speeds were found.
     Home, ours: q = (40 deg, 80 deg, 100 mm, -40 deg); the book's, (0, 0, 100, 90), is stretched.
 
     Examples
