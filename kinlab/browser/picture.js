@@ -187,6 +187,7 @@ export class Picture {
     const { knobs, motions } = this.scene, at = this.scene.timed ? placesOf(this.scene, q) : q;
     const all = this.at = frames(motions, at);
     for (const part of this.parts) part.move({ motions, all, q: at, knobs });
+    for (const part of this.heeding) part.heed(at);
   }
 
   /**
@@ -233,7 +234,6 @@ export class Picture {
     const middle = focus == null ? center : at[focus][3];
     const seen = this.lens = this.steady.through(this.framed(middle));
     this.follow(at[scene.tip][3]);
-    for (const part of this.heeding) part.heed(q);
     for (const stroke of this.strokes) {
       if (stroke.item.shape === "trace") stroke.room = this.path;
       stroke.draw(seen);
