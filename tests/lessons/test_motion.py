@@ -59,7 +59,8 @@ def test_curves_are_drawn_as_far_as_the_time_has_gone(view):
     curve = item(view, "rate (rad/s)-cubic")
     for time in (0, 0.25, 1):
         view["time"].value = time
-        gone = drawn(curve, view._scene.motions, view._scene.frames(view._values), view._values)
+        scene, q = view._scene, view._values
+        gone = drawn(curve, scene.motions, scene.frames(q), scene.places(q))
         assert gone[-1, 0] == pytest.approx(0.42 * time)
 
 
@@ -68,6 +69,13 @@ def test_a_constant_rate_leaps_once_the_time_runs(view):
     seen = {}
     for time in (0, 0.5, 1):
         view["time"].value = time
-        seen[time] = [is_there(item(view, f"acceleration (rad/s²)-leap-{end}"), view._values)
+        places = view._scene.places(view._values)
+        seen[time] = [is_there(item(view, f"acceleration (rad/s²)-leap-{end}"), places)
                       for end in (0, 1)]
     assert seen == {0: [False, False], 0.5: [True, False], 1: [True, True]}
+
+
+def test_it_is_played_in_its_own_second(view):
+    times, stops = view._scene.timed.times, [stop for stop, in view._scene.poses]
+    assert (times[0], times[60], times[-1]) == pytest.approx((0, 0.5, 1))
+    assert (stops[0], stops[5], stops[-1]) == pytest.approx((0, 0.5, 1))

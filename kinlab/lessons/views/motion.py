@@ -1,12 +1,15 @@
 """The view of lesson 12: four ways to spend one second."""
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 
 from ...arms.motions import TRANSLATE, X, Y
 from ...drawing.controls import Knob
 from ...drawing.scene import WAY, at
 from ...drawing.sketch import Sketch
+from ...drawing.timed import Timed
 from ...paths.profiles import cubic, given_profile, quintic
 from ...views.live import LiveView
 
@@ -20,8 +23,7 @@ _STYLES = {"constant rate": "dashed", "cubic": "first", "quintic": "second",
 def race_view() -> LiveView:
     """Four dots on rails, which start and arrive together, and charts of rate and acceleration."""
     sketch = Sketch("Four ways to go 1 rad in 1 s", 0.62, center=(0.5, 0, 0), grid=0)
-    time = sketch.knob(Knob("time", "t", 0.0, float(_N), 0.0, "s", float(_N), 0.01,
-                            "time since the start"))
+    time = sketch.knob(Knob("time", "t", 0.0, 1.0, 0.0, "s", 1.0, 0.01, "time since the start"))
     shares = np.linspace(0, 1, _N + 1)
     rate = _Chart(sketch, "rate (rad/s)", 0.0, (0.0, 2.0), 1.0)
     acceleration = _Chart(sketch, "acceleration (rad/s²)", 1 - _WIDE, (-6.0, 6.0), 6.0)
@@ -36,7 +38,8 @@ def race_view() -> LiveView:
         acceleration.curve(name, derivatives[1], time)
     for place, word in ((0, "0"), (1, "1 rad")):
         sketch.label(word, at(rail, (place, 0, 0), (place, 0.1, 0)))
-    return LiveView(sketch.scene())
+    sketch.poses, sketch.joints = [[k / 10] for k in range(11)], ()
+    return LiveView(replace(sketch.scene(), timed=Timed(tuple(shares.tolist()), ())))
 
 
 def _dot(sketch: Sketch, k: int, name: str, way: np.ndarray, time: int) -> int:
