@@ -11,6 +11,7 @@ from hypothesis import strategies as st
 from robots import KNOWN, held, robot, sliding, turning
 
 import kinlab as kl
+from kinlab.urdf.rows import clean_angle
 
 pytestmark = pytest.mark.filterwarnings("ignore::kinlab.arms.inputs.Note")
 decimals = st.integers(-2000, 2000).map(lambda k: k / 1000)
@@ -139,6 +140,29 @@ def test_the_base_takes_what_no_row_can():
     arm = kl.from_urdf(text)
     np.testing.assert_array_equal(arm.base, kl.translation([0.1, 0.2, 0]))
     assert arm.links[0].d == 0.3
+
+
+def test_a_first_axis_that_no_x_of_the_root_is_normal_to_counts_from_zero():
+    """The base must be turned anyway: so x0 is x1."""
+    text = robot("Aside", turning("one", "0 0 1", axis="1 0 0"),
+                 turning("two", "0.5 0.3 0", axis="0 0 1"))
+    arm = kl.from_urdf(text)
+    assert arm.links[0].theta == 0
+    np.testing.assert_array_equal(np.abs(arm.base[:3, 2]), [1, 0, 0])
+
+
+@pytest.mark.parametrize(("last", "d", "tip"), [
+    (turning, 0.3, (0.1, 0.2, 0)), (sliding, 0, (1.1, 0.2, 0.3))])  # it slides on the axis before
+def test_of_a_tip_aside_the_last_row_takes_the_height_unless_it_slides(last, d, tip):
+    text = robot("Aside", turning("one", "0 0 1"), last("two", "1 0 0"),
+                 held("tip", "0.1 0.2 0.3", "0.1 0.2 0.3"))
+    arm = kl.from_urdf(text)
+    assert arm.links[-1].d == d
+    np.testing.assert_allclose(arm.tool[:3, 3], tip, atol=1e-12)
+
+
+def test_half_a_turn_is_written_in_one_way():
+    assert [clean_angle(angle) for angle in (-pi, pi, 3 * pi, -1e-17)] == [pi, pi, pi, 0]
 
 
 def test_the_convention_is_the_one_that_leaves_less_over():

@@ -49,6 +49,18 @@ def test_arms_of_kinlab_come_back(name):
     check(arm, np.random.default_rng(2).uniform(-3, 3, (20, arm.n)), 1e-12)
 
 
+@pytest.mark.parametrize("name", ["two_link", "cylindrical", "exam_2018", "alpha_ii", "stanford",
+                                  "puma_560", "ur5"])
+def test_tables_come_back_as_books_have_them(name):
+    """The link frames of what kinlab writes have their z and x where the book has them."""
+    arm = kl.to_standard(getattr(kl.robots, name)())
+    again = kl.to_standard(kl.from_urdf(kl.to_urdf(arm)))
+    for mine, theirs in zip(again.links, arm.links, strict=True):
+        scale = METRES[arm.unit]
+        assert (mine.theta, mine.alpha) == (theirs.theta, theirs.alpha)
+        assert (mine.a, mine.d) == pytest.approx((theirs.a * scale, theirs.d * scale), abs=1e-15)
+
+
 @given(arms(), st.integers(0, 2**32))
 def test_any_arm_comes_back(arm, seed):
     check(arm, np.random.default_rng(seed).uniform(-3, 3, (4, arm.n)))
