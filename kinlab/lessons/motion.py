@@ -231,15 +231,17 @@ _SLOWER_CASES = [
         ([[0, 0], [0.5, 0.8], [0, 0]], [[1, 2], [0, 0], [-1, -2]], [1, 2], [4, 4]),
         ([[0, 0], [1, -2], [0, 0]], [[2, -5], [0, 0], [-18, 5]], [2, 2], [2, 6]))]
 
+_NO_HARD = "Only the rates are looked at. Accelerations have limits as well."
+_NO_FAST = "Only the accelerations are looked at. Rates have limits as well."
 _SLOWER_SLIPS = [
     ("Accelerations fall with the square of k, so k is the root of what is too much.",
      _factor(lambda fast, hard: max(1.0, fast.max(), hard.max()))),
     ("Rates fall with k itself; the root belongs to the accelerations.",
      _factor(lambda fast, hard: max(1.0, fast.max()**0.5, hard.max()**0.5))),
-    ("Only the rates are looked at. Accelerations have limits as well.",
-     _factor(lambda fast, hard: max(1.0, fast.max()))),
-    ("Only the accelerations are looked at. Rates have limits as well.",
-     _factor(lambda fast, hard: max(1.0, hard.max()**0.5))),
+    (_NO_HARD, _factor(lambda fast, hard: max(1.0, fast.max()))),
+    (_NO_HARD, _factor(lambda fast, hard: fast.max())),
+    (_NO_FAST, _factor(lambda fast, hard: max(1.0, hard.max()**0.5))),
+    (_NO_FAST, _factor(lambda fast, hard: hard.max()**0.5)),
     ("Both limits must be kept: take the larger factor, not the smaller one.",
      _factor(lambda fast, hard: max(1.0, min(fast.max(), hard.max()**0.5)))),
     ("A motion within its limits need not be slower: k is 1 at least.",

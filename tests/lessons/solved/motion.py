@@ -149,6 +149,8 @@ WRONG = [
     ("motion.4", ratios(lambda fast, hard: max(1, fast**0.5, hard**0.5)), "Rates fall with k"),
     ("motion.4", ratios(lambda fast, hard: max(1, fast)), "Only the rates"),
     ("motion.4", ratios(lambda fast, hard: max(1, hard**0.5)), "Only the accelerations"),
+    ("motion.4", ratios(lambda fast, hard: fast), "Only the rates"),
+    ("motion.4", ratios(lambda fast, hard: hard**0.5), "Only the accelerations"),
     ("motion.4", ratios(lambda fast, hard: max(1, min(fast, hard**0.5))), "not the smaller one"),
     ("motion.4", ratios(lambda fast, hard: max(fast, hard**0.5)), "k is 1 at least"),
     ("motion.4", lambda rates, accelerations, speed, acceleration: max(
