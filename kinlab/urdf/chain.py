@@ -62,8 +62,9 @@ def _parents(robot: Robot) -> dict[str, Joint]:
     above: dict[str, Joint] = {}
     for joint in robot.joints:
         if joint.child in above:
-            raise ValueError(f"URDF: expected one joint above each link, got {joint.name!r} and "
-                             f"{above[joint.child].name!r} above {joint.child!r}; "
+            other, child = above[joint.child].name, inputs.brief(joint.child)
+            raise ValueError("URDF: expected one joint above each link, got "
+                             f"{inputs.brief(joint.name)} and {inputs.brief(other)} above {child}; "
                              "a closed loop is no serial arm")
         above[joint.child] = joint
     return above
@@ -90,8 +91,8 @@ def _all_tied(robot: Robot, root: str) -> None:
         new = [child for link in new for child in under[link]]
         tied.update(new)
     if loose := [link for link in robot.links if link not in tied]:
-        raise ValueError(f"URDF: expected joints from {root!r} to every link, got joints in a "
-                         f"circle: {listed(loose)}; look at their parents")
+        raise ValueError(f"URDF: expected joints from {inputs.brief(root)} to every link, got "
+                         f"joints in a circle: {listed(loose)}; look at their parents")
 
 
 def _tip(robot: Robot, above: dict[str, Joint], tip: str | None) -> str:
@@ -102,20 +103,18 @@ def _tip(robot: Robot, above: dict[str, Joint], tip: str | None) -> str:
                              f"there are {listed(nearest)}")
         return tip
     parents = {joint.parent for joint in robot.joints}
-    ends = [link for link in robot.links if link not in parents and _moves(link, above)]
+    moved = {link: _moves(link, above) for link in robot.links if link not in parents}
+    ends = [link for link, moves in moved.items() if moves]
     if len(ends) > 1:
+        longest = max(ends, key=lambda link: moved[link])
         raise ValueError(f"tip: expected one end of the arm, got {len(ends)}: {listed(ends)}; "
-                         f"choose one, or a link before it: kl.from_urdf(..., tip={ends[0]!r})")
+                         f"choose one, or a link before it: kl.from_urdf(..., tip={inputs.brief(longest)})")
     return ends[0] if ends else robot.links[-1]
 
 
-def _moves(link: str, above: dict[str, Joint]) -> bool:
-    """Whether a joint above the link moves."""
-    while link in above:
-        if above[link].kind != "fixed":
-            return True
-        link = above[link].parent
-    return False
+def _moves(link: str, above: dict[str, Joint]) -> int:
+    """How many joints above the link move."""
+    return sum(joint.kind != "fixed" for joint in _way(above, link))
 
 
 def _way(above: dict[str, Joint], tip: str) -> tuple[Joint, ...]:

@@ -42,7 +42,7 @@ class Joint:
     @property
     def what(self) -> str:
         """The joint in a sentence."""
-        return f"joint {self.name!r}"
+        return f"joint {inputs.brief(self.name)}"
 
     def origin(self) -> np.ndarray:
         """Pose of the joint, and of its child at q = 0, in the parent: shape (4, 4)."""

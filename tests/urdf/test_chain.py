@@ -105,6 +105,13 @@ def test_a_name_that_is_no_link_is_answered_with_those_that_there_are():
     assert re.search(r"there are 'link7', .*, and 30 more$", refused(many, "link77"))
 
 
+def test_the_end_of_the_longest_chain_is_the_example():
+    text = robot(joint("wheel", child="w"), joint("j", child="b"),
+                 joint("k", parent="b", child="c"), links="awbc")
+    assert refused(text) == ("tip: expected one end of the arm, got 2: 'w', 'c'; choose one, or a "
+                             "link before it: kl.from_urdf(..., tip='c')")
+
+
 def test_a_tip_before_a_joint_that_is_none_of_an_arm_is_taken():
     text = robot(joint(), joint("k", "floating", "b", "c"), joint("m", "planar", "c", "d"),
                  links="abcd")
@@ -219,6 +226,20 @@ def test_a_link_of_any_name_is_found(name):
     frames = kl.urdf_frames(text)
     assert frames.links[-1].link == name
     assert "<img" not in frames._repr_html_() and "<svg" not in frames._repr_html_()
+
+
+def test_a_name_of_a_million_signs_is_shortened_in_a_sentence():
+    long = "n" * 10**6
+    for text in (robot(joint(long, "planar")), robot(joint(kind=long)), robot(joint(long, rest="")),
+                 robot(joint(child=long)), robot(joint(), links=["a", "b", long, long]),
+                 robot(joint(), joint(long)), f"<{long}/>"):
+        with warnings.catch_warnings(record=True) as caught:
+            warnings.simplefilter("always")
+            try:
+                kl.from_urdf(text)
+            except ValueError as error:
+                assert len(str(error)) < 400
+        assert all(len(str(word.message)) < 400 for word in caught)
 
 
 def test_a_name_of_two_lines_is_refused():
