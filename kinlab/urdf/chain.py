@@ -106,9 +106,9 @@ def _tip(robot: Robot, above: dict[str, Joint], tip: str | None) -> str:
     moved = {link: _moves(link, above) for link in robot.links if link not in parents}
     ends = [link for link, moves in moved.items() if moves]
     if len(ends) > 1:
-        longest = max(ends, key=lambda link: moved[link])
+        longest = inputs.brief(max(ends, key=lambda link: moved[link]))
         raise ValueError(f"tip: expected one end of the arm, got {len(ends)}: {listed(ends)}; "
-                         f"choose one, or a link before it: kl.from_urdf(..., tip={inputs.brief(longest)})")
+                         f"choose one, or a link before it: kl.from_urdf(..., tip={longest})")
     return ends[0] if ends else robot.links[-1]
 
 
