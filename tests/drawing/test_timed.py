@@ -88,6 +88,8 @@ def test_the_samples_of_a_picture_show_the_same(profile):
     assert len(few.t) < 0.6 * len(path.t) and few.t[-1] == path.t[-1]
     between = np.array([np.interp(path.t, few.t, column) for column in few.q.T]).T
     assert np.abs(between - path.q).max() <= 5.1e-4 * np.ptp(path.q)
+    rates = np.array([np.interp(path.t, few.t, column) for column in few.rates.T]).T
+    assert np.abs(rates - path.rates).max() <= 2.1e-3 * np.ptp(path.rates)
 
 
 def test_the_arm_stands_where_the_path_has_it():

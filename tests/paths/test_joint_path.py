@@ -116,6 +116,15 @@ def test_the_jump_of_a_trapeze_ends_its_breach():
                           "from 0 s to 0.25 s")
 
 
+def test_peaks_are_among_the_samples():
+    """A quintic speeds up by 10 / sqrt(3) at most, at (1 - 1 / sqrt(3)) / 2 of its time."""
+    path = kl.joint_path(ONE, [0], [1], 1)
+    assert path.accelerations.max() == pytest.approx(10 / np.sqrt(3), rel=1e-12)
+    assert path.t[path.accelerations[:, 0].argmax()] == pytest.approx(0.21132487)
+    ramps = kl.joint_path(ONE, [0], [1], 1, "trapezoidal", ramp=0.123)
+    assert {0.123, 0.877} <= set(ramps.t.round(12).tolist())
+
+
 def test_a_limit_that_is_just_reached_is_kept():
     arm = kl.Arm([kl.revolute(limits=(0, 1), speed=1.5, acceleration=6)])
     assert kl.joint_path(arm, [0], [1], 1, "cubic").broken == ()

@@ -66,6 +66,9 @@ def paths():
             kl.robots.alpha_ii(), tool[:3, 3], moved[:3, 3], 3, q0=home),
         "five joints, roll left free": lambda: kl.straight_path(
             kl.robots.alpha_ii(), tool, moved, 3, q0=home, weights=[1, 1, 1, 1, 1, 0]),
+        "six joints, a direction left free": lambda: kl.straight_path(
+            SIX, *(kl.forward_kinematics(SIX, q) for q in (Q0, Q1)), 3, q0=Q0,
+            weights=[1, 1, 0, 1, 1, 1]),
         "close by the base": lambda: kl.straight_path(
             TWO, [1, 0.02, 0], [-1, 0.02, 0], 2, q0=[np.pi / 3, -2 * np.pi / 3]),
     }

@@ -45,6 +45,7 @@ test("a place among samples that are not evenly apart", () => {
   const times = [0, 0.1, 0.4, 2];
   assert.deepEqual([-1, 0, 0.05, 0.1, 0.25, 1.2, 2, 9].map((t) => placeIn(times, t)),
                    [0, 0, 0.5, 1, 1.5, 2.5, 3, 3]);
+  assert.ok(Math.abs(placeIn(times, 0.16) - 1.2) < 1e-9);
   assert.deepEqual(placesOf({ timed: { times } }, [0.25, 7]), [1.5, 7]);
   assert.deepEqual(placesOf({}, [0.25, 7]), [0.25, 7]);
 });
