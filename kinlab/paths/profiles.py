@@ -18,6 +18,7 @@ from ..arms import inputs
 Curve = tuple[np.ndarray, np.ndarray, np.ndarray]  # s, ds/dtau, d2s/dtau2
 RAMP = 1 / 3
 SHORTEST, LONGEST = 1e-3, 1e5  # s
+JUMP = 1e-6  # of the time: so soon after a jump its other side is a mark, too
 
 
 @dataclass(frozen=True)
@@ -55,7 +56,9 @@ def given_profile(name: Any, ramp: Any = RAMP) -> Profile:
                          f"and up to 0.5, got {ramp:g}; write ramp=1/3")
     if name != "trapezoidal":
         return Profile(name, *_POLYNOMIALS[name])
-    return Profile(name, partial(trapezoidal, ramp=ramp), (ramp, 1 - ramp))
+    ends = (ramp, 1 - ramp)
+    beside = (ramp + JUMP, 1 - ramp - JUMP)
+    return Profile(name, partial(trapezoidal, ramp=ramp), tuple(sorted({*ends, *beside})))
 
 
 def cubic(tau: np.ndarray) -> Curve:

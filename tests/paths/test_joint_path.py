@@ -123,6 +123,8 @@ def test_peaks_are_among_the_samples():
     assert path.t[path.accelerations[:, 0].argmax()] == pytest.approx(0.21132487)
     ramps = kl.joint_path(ONE, [0], [1], 1, "trapezoidal", ramp=0.123)
     assert {0.123, 0.877} <= set(ramps.t.round(12).tolist())
+    jumps = np.flatnonzero(np.abs(np.diff(ramps.accelerations[:, 0])) > 1)
+    assert np.diff(ramps.t)[jumps] == pytest.approx([1e-6, 1e-6])  # upright in a chart
 
 
 def test_a_limit_that_is_just_reached_is_kept():
