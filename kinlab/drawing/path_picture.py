@@ -4,6 +4,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from itertools import product
 from typing import Any, Protocol
 
 import numpy as np
@@ -13,7 +14,7 @@ from ..arms.kinematics import frame_poses
 from ..arms.link import REVOLUTE
 from .arm_scene import arm_scene
 from .controls import Knob, joint_knobs
-from .scene import LINE, TRACE, WAY, Fit, Item, Scene, Step, at
+from .scene import LINE, SOLIDS, TRACE, WAY, Fit, Item, Scene, Step, at
 from .timed import Band, Bound, Course, Panel, Remark, Timed
 
 # Of the joints, one after the other: three inks, and another dash where an ink comes again.
@@ -21,6 +22,7 @@ STYLES = ("first", "second", "angle", "first-dots", "second-solid", "angle-dash"
           "second-dots", "angle-dots")
 STRIDE, BLIND = 6, 2e-3  # samples that one line stands for; of a range: what nobody sees
 STOPS = 10    # of the way in time, which steps go through
+BODIES = 12   # samples at which all bodies are looked at
 EDGE = 0.12   # of the picture's radius: round all that moves
 KINDS = ("limit", "speed", "acceleration")
 _SAYS = ({True: "joint angles (deg)", False: "slides ({})"},
@@ -146,23 +148,37 @@ def _tracked(step: Any, tracks: np.ndarray) -> Any:
 
 def _way(path: Samples, radius: float) -> list[Item]:
     """The tip's way, pale, and what is gone of it, strong."""
-    digits = 5 - math.floor(math.log10(radius))
-    points = at(0, *np.round(path.tip, digits))
+    points = at(0, *np.round(path.tip, _digits(radius)))
     few = [*points[:-1:3], points[-1]]
     return [Item("way", LINE, "coming", tuple(few), body=-1, lift=2 * radius, part="trace"),
             Item("way-gone", WAY, "trace", points, body=0, lift=2.1 * radius, size=(0,),
                  part="trace")]
 
 
+def _digits(size: float) -> int:
+    """Decimals that tell a place in a picture of this size."""
+    return 5 - math.floor(math.log10(size))
+
+
 def _fit(arm: Arm, path: Samples, scene: Scene) -> Fit | None:
-    """A frame that holds the arm at all times."""
-    places = np.concatenate([frame_poses(arm, path.q)[..., :3, 3].reshape(-1, 3), path.tip])
-    edge = EDGE * scene.radius
-    low, high = places.min(axis=0) - edge, places.max(axis=0) + edge
-    corners = [[(low, high)[k >> axis & 1][axis] for axis in range(3)] for k in range(8)]
+    """A frame that holds the arm at all times: the outermost points in 26 directions."""
+    some = path.q[::max(1, len(path.q) // BODIES)]
+    places = np.concatenate([frame_poses(arm, path.q)[..., :3, 3].reshape(-1, 3), path.tip,
+                             *(_bodies(scene, q) for q in some)])
+    ways = np.array([way for way in product((-1, 0, 1), repeat=3) if any(way)], float)
+    ways /= np.linalg.norm(ways, axis=1)[:, None]
+    outermost = places[(places @ ways.T).argmax(axis=0)] + EDGE * scene.radius * ways
+    low, high = outermost.min(axis=0), outermost.max(axis=0)
     thick = scene.fit.thick if scene.fit else 0.0
     return Fit((*((low + high) / 2).tolist(),), float(np.sort(high - low)[1]) / 2, thick,
-               at(0, *corners))
+               at(0, *np.round(outermost, _digits(scene.radius))))
+
+
+def _bodies(scene: Scene, q: np.ndarray) -> np.ndarray:
+    """The ends of all solids, a rod's far one, too, shape (k, 3)."""
+    frames = scene.frames(q.tolist())
+    return np.array([(frames[k] @ (*local, 1.0))[:3] for item in scene.items
+                     if item.shape in SOLIDS for k, *local in item.points])
 
 
 def _panels(arm: Arm, path: Samples) -> list[Panel]:

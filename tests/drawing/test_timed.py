@@ -102,6 +102,19 @@ def test_the_arm_stands_where_the_path_has_it():
     close(scene.frames([0])[scene.tip], kl.forward_kinematics(arm, arm.home), atol=1e-3)
 
 
+def test_nothing_leaves_the_picture_on_the_way():
+    """Whatever is solid lies within the points that frame it, from any side: a long boom, too."""
+    arm = kl.robots.stanford()
+    scene = path_scene(arm, kl.joint_path(arm, arm.home, arm.home + [1, 0.5, 0.1, -1, 0.5, 1], 2))
+    corners = np.array([place for _, *place in scene.fit.points])
+    for time in (0, 0.5, 1, 1.4, 2):
+        frames = scene.frames([time])
+        ends = np.array([(frames[k] @ (*local, 1.0))[:3] for item in scene.items
+                         if item.shape in ("tube", "ball", "box") for k, *local in item.points])
+        for way in np.random.default_rng(3).normal(size=(50, 3)):
+            assert (ends @ way).max() <= (corners @ way).max()
+
+
 def test_the_still_picture_says_all_of_it():
     view = path_view()
     timed = view._scene.timed
