@@ -14,7 +14,8 @@ import { chartWords, drawn, polyline, put, px } from "./svg.js";
 const PANEL_LEFT = 54, PANEL_RIGHT = 12, PANEL_TOP = 26, PANEL_BOTTOM = 22;   // px round curves
 const TICK_WIDE = 44, TICK_HIGH = 26;              // px that a number wants on an axis
 const SAMPLE_WIDE = 30, SAMPLE_HIGH = 10;           // px: of a piece of a curve
-const NOW_DOT = 3.6, LEAST_BAND = 1.5, SIGN_DOWN = 9;   // px
+const NOW_DOT = 3.6, LEAST_BAND = 1.5;              // px
+const SIGN_WIDE = 34, SIGN_HIGH = 15, SIGN_DOWN = 9;   // px of a band's sign, and to the first row
 // Px of the letters of a page, and how many times as large they are in a lecture at most.
 const PLAIN_LETTERS = 16, MOST_ENLARGED = 1.5;
 const CALM_STOPS = 8;                               // of a motion, for who prefers less of it
@@ -62,6 +63,26 @@ function roundNumbers(low, high, least) {
 }
 
 /**
+ * Where the signs of bands stand: in the middle of each, within the panel, and in a row where no
+ * other sign is.
+ * @param {PanelPlot["bands"]} bands
+ * @param {number} left
+ * @param {number} top
+ * @param {number} right
+ */
+function signsOf(bands, left, top, right) {
+  /** @type {PanelPlot["signs"]} */
+  const taken = [];
+  for (const [from, to] of bands) {
+    const x = clip((from + to) / 2, left + SIGN_WIDE / 2, right - SIGN_WIDE / 2);
+    let y = top + SIGN_DOWN;
+    while (taken.some(([u, v]) => v === y && Math.abs(x - u) < SIGN_WIDE)) y += SIGN_HIGH;
+    taken.push([x, y]);
+  }
+  return taken;
+}
+
+/**
  * A panel laid out on a picture of `size` px, at a time.
  * @param {Panel} panel
  * @param {number[]} times
@@ -80,12 +101,14 @@ export function laidOut({ low, high, courses, bounds, bands }, times, [width, he
   const at = placeIn(times, time), k = Math.floor(at);
   const gone = whole.map((points) => [...points.slice(0, k + 1),
     ...at > k ? [points[k].map((e, i) => e + (at - k) * (points[k + 1][i] - e))] : []]);
+  /** @type {PanelPlot["bands"]} */
+  const spans = bands.map(({ start, end }) => [along(start), along(end)]);
   return { box: [left, top, right, bottom],
            across: roundNumbers(0, last, TICK_WIDE / wide).map(([t, text]) => [along(t), text]),
            up: roundNumbers(low, high, TICK_HIGH / deep).map(([v, text]) => [down(v), text]),
            zero: low <= 0 && high >= 0 ? down(0) : null, whole, gone,
            bounds: bounds.map(({ level }) => down(level)),
-           bands: bands.map(({ start, end }) => [along(start), along(end)]),
+           bands: spans, signs: signsOf(spans, left, top, right),
            now: along(clip(time, 0, last)) };
 }
 
@@ -169,7 +192,7 @@ class PanelChart {
    * What stays where it is until the size is another one.
    * @param {PanelPlot} plot
    */
-  still({ box: [left, top, right, bottom], across, up, zero, whole, bounds, bands }) {
+  still({ box: [left, top, right, bottom], across, up, zero, whole, bounds, bands, signs }) {
     const grid = up.map(([y]) => `M${px(left)} ${px(y)}H${px(right)}`);
     const ticks = across.map(([x]) => `M${px(x)} ${px(bottom)}v4`);
     this.frame.replaceChildren(
@@ -186,7 +209,7 @@ class PanelChart {
       const [from, to] = bands[k], wide = Math.max(LEAST_BAND, to - from);
       put(band, "d", `M${px(from)} ${px(top)}h${px(wide)}V${px(bottom)}h${px(-wide)}Z`);
       this.signs[k].replaceChildren(
-        chartWords(signOf(this.panel, k), from + wide / 2, top + SIGN_DOWN, "middle"));
+        chartWords(signOf(this.panel, k), ...signs[k], "middle"));
     });
   }
 

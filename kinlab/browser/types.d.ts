@@ -228,6 +228,7 @@ export interface PanelPlot {
   gone: number[][][];
   bounds: number[];
   bands: [from: number, to: number][];
+  signs: [right: number, down: number][];
   now: number;
 }
 

@@ -6,9 +6,9 @@ same.
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import asdict, dataclass
-from itertools import pairwise
+from itertools import count, pairwise
 
 Px = tuple[float, float]
 
@@ -17,6 +17,7 @@ _WIDE, _HIGH = 44.0, 26.0  # px that a number wants on an axis
 _AIR = 0.06                # of the range: beyond the farthest values
 _NEAR = 0.2                # of the range: a limit that is no farther beyond a curve is drawn
 _DIGITS = 5                # of a value: more are not seen
+_SIGN_WIDE, _SIGN_HIGH, _SIGN_DOWN = 34.0, 15.0, 9.0  # px of a band's sign, and to the first row
 
 
 @dataclass(frozen=True)
@@ -124,7 +125,8 @@ class Laid:
     """A panel on a picture: places in px from its upper left corner.
 
     `across` and `up` are the ticks of the axes, `zero` where a value is 0. Of each course the whole
-    curve and the part that is gone; of bounds how far down, of bands where they begin and end.
+    curve and the part that is gone; of bounds how far down, of bands where they begin and end, and
+    where their signs stand.
     """
 
     box: tuple[float, float, float, float]  # left, top, right, bottom
@@ -135,6 +137,7 @@ class Laid:
     gone: tuple[tuple[Px, ...], ...]
     bounds: tuple[float, ...]
     bands: tuple[tuple[float, float], ...]
+    signs: tuple[Px, ...]
     now: float
 
 
@@ -151,14 +154,27 @@ def laid(panel: dict, times: Sequence[float], size: tuple[float, float], time: f
     whole = tuple(tuple((left + t * wide, down(v)) for t, v in zip(times, course["values"]))
                   for course in panel["courses"])
     at = place(times, time)
+    bands = tuple((left + band["start"] * wide, left + band["end"] * wide)
+                  for band in panel["bands"])
     return Laid(box, tuple((left + t * wide, text) for t, text in _ticks(0.0, last, _WIDE / wide)),
                 tuple((down(v), text) for v, text in _ticks(low, high, _HIGH / deep)),
                 down(0.0) if low <= 0 <= high else None, whole,
                 tuple(_gone(points, at) for points in whole),
                 tuple(down(bound["level"]) for bound in panel["bounds"]),
-                tuple((left + band["start"] * wide, left + band["end"] * wide)
-                      for band in panel["bands"]),
-                left + min(max(time, 0.0), last) * wide)
+                bands, tuple(_signs(bands, box)), left + min(max(time, 0.0), last) * wide)
+
+
+def _signs(bands: Sequence[tuple[float, float]],
+           box: tuple[float, float, float, float]) -> Iterator[Px]:
+    """In the middle of each band, within the panel, and in a row where no other sign is."""
+    left, top, right, _ = box
+    taken: list[tuple[float, int]] = []
+    for start, end in bands:
+        x = min(max((start + end) / 2, left + _SIGN_WIDE / 2), right - _SIGN_WIDE / 2)
+        row = next(row for row in count()
+                   if all(row != other or abs(x - u) >= _SIGN_WIDE for u, other in taken))
+        taken.append((x, row))
+        yield x, top + _SIGN_DOWN + row * _SIGN_HIGH
 
 
 def place(times: Sequence[float], time: float) -> float:

@@ -19,7 +19,7 @@ from .timed import Laid, Timed, laid
 HIGH = 150.0                       # px of a panel
 _ROW, _SAMPLE, _GAP = 24.0, 30.0, 16.0   # px: of names and of remarks; a piece of a curve; a gap
 _PALE = 0.38                       # of a curve that is still to come
-_DOT, _LEAST, _DOWN = 3.6, 1.5, 9.0      # px: a dot's radius, a band's width, how low its sign is
+_DOT, _LEAST = 3.6, 1.5                  # px: a dot's radius, and a band's width
 _ROUND = np.exp(1j * np.linspace(0, 2 * np.pi, 16, endpoint=False))
 _NOW, _ZERO = pen(INK, 1.0), pen(STEEL, 0.8)
 _BAND: Paint = {"fill": COLOURS["target"].line, "stroke": "none"}
@@ -96,6 +96,5 @@ def _panel(panel: dict, at: Laid) -> Iterator[Mark]:
         dot = np.array(gone[-1]) + _DOT * np.stack([_ROUND.real, _ROUND.imag], axis=-1)
         yield Mark([dot], pen(paint["stroke"], 0.0, fill=paint["stroke"]), closed=True)
     names = {course["joint"]: course["name"] for course in panel["courses"]}
-    for band, (start, end) in zip(panel["bands"], spans):
-        yield words(f"! {names[band['joint']]}", (start + end) / 2, top + _DOWN, "middle",
-                    COLOURS["target"].words)
+    for band, (x, y) in zip(panel["bands"], at.signs):
+        yield words(f"! {names[band['joint']]}", x, y, "middle", COLOURS["target"].words)

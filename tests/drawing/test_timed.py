@@ -33,6 +33,7 @@ def test_a_panel_by_hand():
     close(at.whole, [[(54, 86), (154, 66), (254, 46)]])
     close(at.gone, [[(54, 86), (154, 66), (204, 56)]])
     assert (at.bounds, at.bands, at.zero, at.now) == ((56,), ((204, 254),), 86, 204)
+    assert at.signs == ((229, 35),)
     assert at.up == ((86, "0"), (46, "20"))
     assert at.across == ((54, "0.0"), (154, "0.5"), (254, "1.0"))
 
@@ -43,6 +44,13 @@ def test_a_limit_is_drawn_where_its_own_joint_comes_near():
     assert [bound.level for bound in seen_.near] == [69, 119]
     low, high = seen_.ends
     assert low == pytest.approx(-7.14) and high == pytest.approx(126.14)
+
+
+def test_signs_stand_in_the_panel_and_in_rows_where_they_would_meet():
+    """Each is 34 px wide and 15 px high; the curves lie from 54 to 254 px."""
+    bands = [Band(0, 0.1, 1), Band(0.02, 0.2, 2), Band(0.15, 0.4, 3), Band(0.9, 1, 4)]
+    at = laid(panel((0.0, 1.0), bands=tuple(bands)).data(), (0.0, 1.0), SIZE, 0)
+    close(at.signs, [(71, 35), (76, 50), (109, 35), (237, 35)])
 
 
 def test_what_is_infinite_ends_at_the_edge_and_what_rests_has_a_range():

@@ -36,6 +36,7 @@ test("a panel by hand: 200 px for 1 s, 80 px for 40 degrees", () => {
   assert.deepEqual(plot.gone, [[[54, 86], [154, 66], [204, 56]]]);
   assert.deepEqual(plot.bounds, [56]);
   assert.deepEqual(plot.bands, [[204, 254]]);
+  assert.deepEqual(plot.signs, [[229, 35]]);
   assert.deepEqual([plot.zero, plot.now], [86, 204]);
   assert.deepEqual(plot.up, [[86, "0"], [46, "20"]]);
   assert.deepEqual(plot.across, [[54, "0.0"], [154, "0.5"], [254, "1.0"]]);
