@@ -2,8 +2,8 @@
 
 docs/alpha_ii.gif films the Alpha II view in a real JupyterLab; docs/lesson.png and docs/editor.png
 are photographs from there: an answer with what is said to it, and a table that is typed. The others
-show saved pages: a prediction and what came, the stages of a link, one solve by two methods, and an
-arm on a telephone.
+show saved pages: a prediction and what came, the stages of a link, one solve by two methods, an arm
+on its way along a line, an aircraft in a gimbal, and an arm on a telephone.
 
 Run with: python docs/make_pictures.py (needs the `test` extra and Chromium).
 """
@@ -45,6 +45,8 @@ def main() -> None:
             predict(browser.new_page(viewport={"width": 1180, "height": 860}), Path(folder))
             stages(browser.new_page(viewport={"width": 1180, "height": 860}), Path(folder))
             solve(browser.new_page(viewport={"width": 1280, "height": 860}), Path(folder))
+            line(browser.new_page(viewport={"width": 1280, "height": 860}), Path(folder))
+            gimbal(browser.new_page(viewport={"width": 1280, "height": 860}), Path(folder))
             phone(browser.new_page(viewport={"width": 390, "height": 844}, has_touch=True,
                                    device_scale_factor=1.5), Path(folder))
     film()
@@ -76,6 +78,27 @@ def solve(page: Page, folder: Path) -> None:
     view["step"].value = 5
     page.goto(view.save_html(folder / "solve.html").as_uri())
     page.locator(".kl-view").screenshot(path=ROOT / "docs" / "solve.png")
+
+
+def line(page: Page, folder: Path) -> None:
+    """A Panda along a line, faster than one of its joints can."""
+    arm = kl.robots.panda()
+    start = kl.forward_kinematics(arm, arm.home)
+    aside = kl.homogeneous(start[:3, :3], start[:3, 3] + [0.2, 0.45, 0])
+    view = kl.PathView(arm, kl.straight_path(arm, start, aside, 1), show=("names",))
+    view.time = 0.7
+    page.goto(view.save_html(folder / "path.html").as_uri())
+    page.wait_for_timeout(1500)
+    page.locator(".kl-view").screenshot(path=ROOT / "docs" / "path.png")
+
+
+def gimbal(page: Page, folder: Path) -> None:
+    """An aircraft in its rings, and the four descriptions of how it is turned."""
+    view = kl.lessons.turns.gimbal_view()
+    view.yaw, view.pitch, view.roll = -30, -60, 30
+    page.goto(view.save_html(folder / "gimbal.html").as_uri())
+    page.wait_for_timeout(1500)
+    page.locator(".kl-view").screenshot(path=ROOT / "docs" / "gimbal.png")
 
 
 def phone(page: Page, folder: Path) -> None:
