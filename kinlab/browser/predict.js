@@ -13,6 +13,7 @@ import { answerWords, verdict } from "./verdicts.js";
 
 const OWN = ["your mark", "your arrow"];            // handles (kinlab/drawing/guess.py)
 const PLACE = 3;                                    // knobs of a mark: x, y, z, then its turn
+const UNMOVED = 1e-9;                                // a widget keeps 13 digits of where it began
 
 /**
  * Names of the items that are set in the picture for a case, and of the gap.
@@ -92,7 +93,8 @@ class Prediction {
   /** What a hand has set in the picture; nothing if it has set nothing. */
   set() {
     const { first } = this.question, q = this.joints.read(), { one } = this;
-    const still = movable(one).every((free, k) => !free || q[first + k] === one.start[first + k]);
+    const still = movable(one).every((free, k) =>
+      !free || Math.abs(q[first + k] - one.start[first + k]) < UNMOVED);
     if (still) return null;
     return one.kind === "mark" ? q.slice(first, first + PLACE) : q[first + PLACE] * 180 / Math.PI;
   }

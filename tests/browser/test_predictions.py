@@ -1,6 +1,7 @@
 """Predictions under real hands: answered, kept, looked back at, and the same words as Python's."""
 import importlib
 import json
+import math
 import re
 
 import numpy as np
@@ -196,6 +197,23 @@ def test_nothing_is_committed_before_there_is_an_answer(opened):
         commit(view)
         expect(view.locator(".kl-told")).to_contain_text(words)
         expect(view.get_by_role("button", name="Commit")).to_be_visible()
+
+
+def test_a_mark_that_a_widget_has_rounded_is_not_moved(page, tmp_path):
+    """A widget's numbers have 13 digits: the tip of this arm does not begin at one of them."""
+    asked = Asked(arm, [Mark(ask="Where?", why="There.", of="tip", unit="m", tolerance=0.1,
+                             start={"theta_1": 30, "theta_2": 30}, shows={"theta_1": 0})])
+    path = Prediction("trial.rounded", asked).save_html(tmp_path / "rounded.html")
+    text = path.read_text(encoding="utf-8")
+    x = math.cos(math.radians(30)) + math.cos(math.radians(60))
+    shown = f"{x:.13g}"
+    assert shown in text and float(shown) != x
+    head, tail = text.split('"question":')
+    path.write_text(f'{head.replace(shown, repr(x))}"question":{tail}', encoding="utf-8")
+    page.goto(path.as_uri())
+    view = page.locator(".kl-view")
+    commit(view)
+    expect(view.locator(".kl-told")).to_contain_text("Move your mark first")
 
 
 def test_by_the_keyboard_alone_and_told_to_a_screen_reader(opened, page):
