@@ -191,7 +191,7 @@ class View {
       along: (frame, direction) => this.along(frame, direction),
       show: (layer, on) => this.switch(layer, on),
       showFrame: (frame, on) => anew(() => picture.showFrame(frame, on)),
-      clear: () => anew(() => picture.clear()),
+      clear: () => this.clear(),
       perspective: (on) => anew(() => { picture.camera.perspective = on; }),
       fill: () => this.fill(),
     };
@@ -204,6 +204,12 @@ class View {
   go(q) {
     const drive = this.chase?.drive ?? this.joints, now = drive.read();
     this.mover.start(drive, [q.map((value, i) => value ?? now[i])], MOVE);
+  }
+
+  /** Begin the trace anew. */
+  clear() {
+    this.picture.clear();
+    this.redraw();
   }
 
   /** What Play and steps move: where there is a target, that leads. */

@@ -115,15 +115,19 @@ class Prediction {
 
   // ---- the two scenes ----
 
-  /** The scene while the question is open: no numbers, and nothing to hold but the mark. */
+  /**
+   * The scene while the question is open: no numbers, nothing to hold but the mark, and no trace,
+   * which would lead from the answer of the case before.
+   */
   open() {
     const { scene, one, question: { first } } = this, free = movable(one);
     const knobs = scene.knobs.map((knob, i) => free[i - first]
       ? { ...knob, quantity: "mark" }
       : { ...knob, low: one.start[i], high: one.start[i], quantity: "" });
-    return { ...this.with(itemsOf(one).yours), knobs, handles: this.handle(free), pose: null,
-             across: across(one), readings: [], chart: null, target: null, poses: [],
-             home: one.start };
+    const shown = this.with(itemsOf(one).yours);
+    return { ...shown, items: shown.items.filter(({ shape }) => shape !== "trace"), knobs,
+             handles: this.handle(free), pose: null, across: across(one), readings: [],
+             chart: null, target: null, poses: [], home: one.start };
   }
 
   /**
@@ -265,6 +269,7 @@ class Prediction {
   again() {
     const { first } = this.question;
     this.joints.write(this.ended().map((value, i) => i < first ? this.one.start[i] : value));
+    this.live?.clear();                             // a leap back is no way
     this.see();
   }
 
@@ -284,6 +289,8 @@ class Prediction {
 
   /** @param {number[]} q */
   go(q) { this.live?.go(q); }
+
+  clear() { this.live?.clear(); }
 
   leave() {
     this.deaf();

@@ -387,6 +387,8 @@ export interface Sheet {
 /** A view that stands in a page. */
 export interface Live {
   go(q: number[]): void;
+  /** Begin the trace anew. */
+  clear(): void;
   note(text: string): void;
   point(spot: Spot | null, source?: import("./pointing.js").Source): void;
   leave(): Looks;

@@ -31,6 +31,7 @@ ASKED = {
     "point": Asked(lessons.rotation.riding_view, [
         Mark(ask="Where will c be?", why="It rides.", of="point-c", tolerance=0.1, begin=(1, 1, 0),
              start={"theta": 0}, shows={"theta": 90})]),
+    "traced": Asked(lambda: kl.ArmView(kl.robots.two_link(), show="trace"), TIP),
     "direction": Asked(arm, [Direction(ask="Which way will x₂ point?", why="Angles add up.",
                                        of="frame-2-x", start=HOMES,
                                        shows={"theta_1": 30, "theta_2": 60})]),
@@ -288,6 +289,51 @@ def test_another_one_looking_back_and_kept_when_the_page_is_opened_again(opened,
     expect(view.get_by_label("θ₁, shoulder, number")).to_have_value("180.0")
     view.get_by_role("button", name="See it again").click()
     expect(view.get_by_label("θ₁, shoulder, number")).to_have_value("180.0")
+
+
+def trace(page):
+    """Corners of the trace in the picture, once all rests."""
+    settle(page)
+    page.evaluate(RESTED)
+    (way,) = page.locator("#trace path").evaluate_all(
+        "all => all.map(node => node.getAttribute('d'))")
+    return np.array(re.findall(r"-?[\d.]+", way), float).reshape(-1, 2)
+
+
+def turn(view, page, name, angle):
+    view.get_by_label(f"{name}, number").fill(str(angle))
+    page.keyboard.press("Enter")
+
+
+def test_no_trace_leads_from_one_case_to_the_next(opened, page):
+    """Else it would run from where the tip was to where it begins: an arrow to the answer."""
+    view = opened("traced")
+    expect(view.locator("#trace")).to_have_count(0)
+    view.get_by_role("button", name="I do not know").click()
+    expect(view.get_by_label("θ₁, shoulder, number")).to_have_value("90.0")
+    assert len(trace(page)) > 2
+    view.get_by_role("button", name="Another one").click()
+    page.evaluate(RESTED)
+    expect(view.locator("#trace")).to_have_count(0)
+    view.get_by_role("button", name="I do not know").click()
+    expect(view.get_by_label("θ₁, shoulder, number")).to_have_value("180.0")
+    turn(view, page, "θ₁, shoulder", 0)              # where the case began
+    way = trace(page)
+    np.testing.assert_allclose(way[0], way[-1], atol=1)
+
+
+def test_a_trace_begins_anew_when_it_is_seen_again(opened, page):
+    view = opened("traced")
+    view.get_by_role("button", name="I do not know").click()
+    expect(view.get_by_label("θ₁, shoulder, number")).to_have_value("90.0")
+    turn(view, page, "θ₂, elbow", 90)                # the arm bends: off the circle of radius 2 m
+    trace(page)
+    view.get_by_role("button", name="See it again").click()
+    expect(view.get_by_label("θ₂, elbow, number")).to_have_value("0.0")
+    expect(view.get_by_label("θ₁, shoulder, number")).to_have_value("90.0")
+    way = trace(page)                                # a quarter of the circle, and nothing else
+    base = np.array([way[-1, 0], way[0, 1]])
+    np.testing.assert_allclose(np.linalg.norm(way - base, axis=1), way[0, 0] - base[0], atol=2)
 
 
 # ---- in JupyterLab ----
