@@ -48,7 +48,7 @@ def _parser() -> argparse.ArgumentParser:
     marks = verb(_marks)
     marks.add_argument("folder", metavar="FOLDER", type=Path, help="the folder with the files")
     marks.add_argument("--out", metavar="FILE", type=Path,
-                       help="where the table goes; default: marks.csv in this folder")
+                       help="where the table goes, a new file; default: marks.csv, here")
     notebooks = verb(_notebooks)
     notebooks.add_argument("--check", action="store_true",
                            help="write nothing; fail if a notebook would change")
@@ -115,12 +115,13 @@ def _marks(options: argparse.Namespace) -> int:
     from .marks import table
 
     exercises, out = lessons.exercises(), options.out or Path("marks.csv")
-    collected = table.collect(options.folder, exercises)
-    table.save(table.as_csv(collected, exercises, options.folder), out)
-    print(f"{len(collected.reports)} reports in {out}")
-    for path, why in collected.doubtful:
-        print(fill(f"Not to be trusted: {path.relative_to(options.folder)}: {why}", 100,
-                   subsequent_indent="  "))
+    rows = table.collect(options.folder, exercises, lessons.predictions_asked())
+    table.write(table.as_csv(rows, exercises), out)
+    print(f"{len(rows)} files in {out}")
+    for row in rows:
+        for words, said in (("Not to be trusted", row.doubts), ("Note", row.remarks)):
+            if said:
+                print(fill(f"{words}: {row.file}: {'; '.join(said)}", 100, subsequent_indent="  "))
     return 0
 
 

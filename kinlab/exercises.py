@@ -10,7 +10,7 @@ import re
 import secrets
 import warnings
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from types import MappingProxyType
 from typing import Any
@@ -22,7 +22,7 @@ from .answers.varied import Draw
 from .answers.verdict import BLANK, NOT_YET, Verdict
 from .arms import inputs
 from .marks import record
-from .marks.report import FILE, Report, load, save, who
+from .marks.report import FILE, Report, read, who, write
 
 SECONDS = 4.0  # for one check
 LONGEST = 1200  # characters of a message
@@ -59,7 +59,11 @@ def check(name: str, answer: Any, *, seconds: float | None = None) -> Verdict:
     >>> check("alpha_ii.4", [0, 0, 0, 0, 0]).ok
     False
     """
-    verdict = _checked(_judge(name), answer, SECONDS if seconds is None else seconds)
+    return _recorded(name, _judge(name), answer, seconds)
+
+
+def _recorded(name: str, judge: Judge, answer: Any, seconds: float | None) -> Verdict:
+    verdict = _checked(judge, answer, SECONDS if seconds is None else seconds)
     if verdict.word != BLANK:
         record.WORK.checked(name, verdict.ok)
     return verdict
@@ -109,22 +113,21 @@ class Variant:
         The same name and seed have the same numbers, on every machine.
     ask : str
         The task, as Markdown.
-    numbers : {name: number or tuple of numbers}
-        Those in the task.
+    numbers : {name: number, tuple of numbers or array}
+        Those that the task gives.
+    judge : Judge
+        What judges an answer to these numbers.
     """
 
     name: str
     seed: str
     ask: str
     numbers: Mapping[str, Any]
+    judge: Judge = field(repr=False, compare=False)
 
     def check(self, answer: Any, *, seconds: float | None = None) -> Verdict:
         """Judge the answer to this variant, as `check` does that of the lesson's exercise."""
-        judge = lessons.variants()[self.name].judge(**self.numbers)
-        verdict = _checked(judge, answer, SECONDS if seconds is None else seconds)
-        if verdict.word != BLANK:
-            record.WORK.checked(self.name, verdict.ok, self.seed)
-        return verdict
+        return _recorded(f"{self.name} {self.seed}", self.judge, answer, seconds)
 
     def __repr__(self) -> str:
         return f"{self._title()}\n{self.ask}"
@@ -171,16 +174,18 @@ def variant(name: str, seed: int | str | None = None) -> Variant:
         seed = secrets.randbelow(10**6)
     if isinstance(seed, bool) or not isinstance(seed, int | str):
         raise ValueError(f"seed: expected a whole number or a text, got {inputs.brief(seed)}")
-    seed = inputs.line("seed", str(seed))
-    numbers = dict(one.draw(Draw(f"{name} {seed}")))
-    return Variant(name, seed, one.ask(**numbers), MappingProxyType(numbers))
+    seed = inputs.line("seed", str(seed)).strip()
+    drawn = one.draw(Draw(f"{name} {seed}"))
+    return Variant(name, seed, one.ask(**drawn), MappingProxyType(one.given(**drawn)),
+                   one.judge(**drawn))
 
 
 def report(name: str = "", path: str | os.PathLike = FILE) -> Report:
     """Show what you have solved, tried and predicted, and write it into one small file.
 
     Run it at the end of each lesson, in the same folder: the file grows with your work. Hand it in
-    as it is; its seal no longer fits after an edit by hand.
+    as it is; its seal no longer fits after an edit by hand. A variant that was solved stands beside
+    its exercise, with its seed.
 
     Parameters
     ----------
@@ -209,11 +214,13 @@ def report(name: str = "", path: str | os.PathLike = FILE) -> Report:
         raise ValueError("path: expected the name of a file such as 'kinlab_report.json', got "
                          f"{inputs.brief(path)}")
     inputs.line("name", name)
-    before = _kept(Path(path))
-    sessions = {**(before.sessions if before else {}), record.KEY: record.THIS}
-    whose = name or (before.name if before else "") or who()
-    made = Report(whose, sessions, path=Path(path))
-    save(made, Path(path))
+    before = _kept(Path(path)) or Report("", {})
+    whose = name or before.name or who()
+    formerly = dict.fromkeys([*before.formerly, before.name])
+    made = Report(whose, {**before.sessions, record.KEY: record.THIS},
+                  formerly=tuple(one for one in formerly if one not in ("", whose)),
+                  path=Path(path))
+    write(made, Path(path))
     return made
 
 
@@ -222,7 +229,7 @@ def _kept(path: Path) -> Report | None:
     if not os.path.lexists(path):
         return None
     try:
-        kept = load(path)
+        kept = read(path)
     except ValueError as error:
         raise ValueError(f"path: {str(path)!r} is there and is no report ({error}); it stays as it "
                          "is: give another name with path=") from None

@@ -43,8 +43,12 @@ class Varied:
         Takes a `Draw` and returns the numbers by their names.
     judge : callable
         Takes the numbers by their names and returns the judge of an answer.
+    given : callable
+        Takes the numbers by their names and returns those that the task gives; all of them if left
+        out. Where the numbers are what is asked for, it is what was made of them.
     """
 
     ask: Callable[..., str]
     draw: Callable[[Draw], Mapping[str, Any]]
     judge: Callable[..., Judge]
+    given: Callable[..., Mapping[str, Any]] = dict

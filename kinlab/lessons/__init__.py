@@ -36,6 +36,11 @@ def exercises() -> tuple[str, ...]:
     return tuple(name for lesson in names() for name in judges(lesson))
 
 
+def predictions_asked() -> tuple[str, ...]:
+    """The names of all predictions there are."""
+    return tuple(name for lesson in names() for name in predictions(lesson))
+
+
 def variants() -> dict[str, Varied]:
     """The exercises with other numbers, by name."""
     modules = (module.name for module in iter_modules(varied.__path__, f"{varied.__name__}."))

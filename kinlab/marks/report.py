@@ -7,8 +7,8 @@ from __future__ import annotations
 
 import json
 import os
-from collections.abc import Mapping
-from dataclasses import asdict, dataclass, field, replace
+from collections.abc import Iterable, Mapping
+from dataclasses import asdict, dataclass, field
 from hashlib import sha256
 from html import escape
 from pathlib import Path
@@ -16,7 +16,7 @@ from typing import Any
 
 from .. import __version__
 from ..arms import inputs
-from .record import Session, Work, now, together
+from .record import Session, Work, now, time_of, together
 
 FILE = "kinlab_report.json"
 EDITED = "edited by hand: its seal does not fit what it says"
@@ -37,8 +37,10 @@ class Report:
         What each kernel has seen.
     written : str
         When, in UTC.
-    doubts : tuple of str
-        Why it cannot be trusted; empty if it can.
+    formerly : tuple of str
+        Other names that it had.
+    edited : bool
+        Whether its file says anything else than what was written.
     path : Path, optional
         Where it is kept.
     """
@@ -46,7 +48,8 @@ class Report:
     name: str
     sessions: Mapping[str, Session]
     written: str = field(default_factory=now)
-    doubts: tuple[str, ...] = ()
+    formerly: tuple[str, ...] = ()
+    edited: bool = False
     path: Path | None = None
 
     @property
@@ -56,16 +59,21 @@ class Report:
         return together(session.work for session in in_order)
 
     @property
-    def edited(self) -> bool:
-        """Whether the file says anything else than what was written."""
-        return EDITED in self.doubts
+    def doubts(self) -> list[str]:
+        """Why it cannot be trusted; empty if it can."""
+        others = sorted({one.version for one in self.sessions.values()} - {__version__})
+        return ([EDITED] if self.edited else []) + (
+            [f"other version: made with kinlab {', '.join(others)}, and this is {__version__}"]
+            if others else []) + (
+            [f"its name was another one before: {', '.join(self.formerly)}"]
+            if self.formerly else [])
 
     def lines(self) -> list[list[str]]:
         """A heading, and for each lesson what was solved, tried and predicted."""
         work = self.work
-        lessons = dict.fromkeys(name.partition(".")[0] for name in (*work.tries, *work.predicted))
+        lessons = dict.fromkeys(map(_lesson_of, (*work.tries, *work.predicted)))
         return [["Lesson", "Solved", "Tried", "Predictions right"],
-                *(_lesson(lesson, work) for lesson in lessons)]
+                *(_line(lesson, work) for lesson in lessons)]
 
     def __repr__(self) -> str:
         rows = self.lines()
@@ -83,25 +91,33 @@ class Report:
                 f"<table><thead><tr>{head}</tr></thead><tbody>{body}</tbody></table>")
 
     def _title(self) -> str:
+        before = f", until now that of {self.formerly[-1]}" if self.formerly else ""
         where = f", kept in {self.path}" if self.path else ""
-        return f"Report of {self.name or 'somebody without a name'}{where}"
+        return f"Report of {self.name or 'somebody without a name'}{before}{where}"
 
 
-def _lesson(lesson: str, work: Work) -> list[str]:
-    def numbers(names: Any) -> str:
-        return ", ".join(name.partition(".")[2] for name in names
-                         if name.partition(".")[0] == lesson)
+def _lesson_of(name: str) -> str:
+    return name.partition(".")[0]
 
-    answers = [ok for name, cases in work.predicted.items() if name.partition(".")[0] == lesson
+
+def _line(lesson: str, work: Work) -> list[str]:
+    answers = [ok for name, cases in work.predicted.items() if _lesson_of(name) == lesson
                for ok in cases.values()]
-    return [lesson, numbers(sorted(work.solved)),
-            numbers(sorted(set(work.tries) - set(work.solved))),
+    return [lesson, _numbers(lesson, work.solved), _numbers(lesson, work.unsolved),
             f"{sum(answers)} of {len(answers)}" if answers else ""]
 
 
-def save(report: Report, path: Path) -> None:
+def _numbers(lesson: str, names: Iterable[str]) -> str:
+    """The numbers of a lesson's exercises, and of variants with their seeds: "2, 3 (Ada)"."""
+    own = (name.partition(".")[2].partition(" ") for name in sorted(names)
+           if _lesson_of(name) == lesson)
+    return ", ".join(f"{number} ({seed})" if seed else number for number, _, seed in own)
+
+
+def write(report: Report, path: Path) -> None:
     """Write it as JSON, which stays the same however its lines are broken."""
-    told = {"kinlab report": _FORMAT, "name": report.name, "written": report.written,
+    told = {"kinlab report": _FORMAT, "name": report.name, "formerly": list(report.formerly),
+            "written": report.written,
             "sessions": {key: asdict(one) for key, one in report.sessions.items()}}
     text = json.dumps(told | {"seal": _seal(told)}, indent=1, ensure_ascii=False)
     try:
@@ -112,37 +128,36 @@ def save(report: Report, path: Path) -> None:
                          "own, or another name") from None
 
 
-def load(path: Path) -> Report:
+def read(path: Path) -> Report:
     """A report out of its file; ValueError says why it is none."""
-    try:
-        if path.stat().st_size > _MOST:
-            raise ValueError("it is too large for a report")
-        told = json.loads(path.read_text(encoding="utf-8"))
-    except OSError as error:
-        raise ValueError(f"it cannot be read ({error.strerror})") from None
-    except (UnicodeDecodeError, json.JSONDecodeError, RecursionError):
-        raise ValueError("it is no JSON, or damaged") from None
+    told = _json(path)
     if not isinstance(told, dict) or "kinlab report" not in told:
         raise ValueError("it is no report of kinlab")
     if told["kinlab report"] != _FORMAT:
         raise ValueError(f"it was written by another kinlab than this one, {__version__}")
     seal = told.pop("seal", None)
     try:
-        report = Report(_name(told.get("name")), {key: Session.of(one) for key, one in
-                                                 told["sessions"].items()},
-                        str(told.get("written")), path=path)
-    except (ValueError, KeyError, AttributeError):
+        return Report(_name(told["name"]), {key: Session.of(one) for key, one in
+                                            told["sessions"].items()}, time_of(told["written"]),
+                      tuple(map(_name, told["formerly"])), seal != _seal(told), path)
+    except (ValueError, KeyError, TypeError, AttributeError):
         raise ValueError("edited by hand: a part of it is missing, or no part of a report"
                          ) from None
-    return _doubted(report, [] if seal == _seal(told) else [EDITED])
 
 
-def _doubted(report: Report, doubts: list[str]) -> Report:
-    others = sorted({one.version for one in report.sessions.values()} - {__version__})
-    if others:
-        doubts = [*doubts, f"other version: made with kinlab {', '.join(others)}, and this is "
-                           f"{__version__}"]
-    return replace(report, doubts=tuple(doubts))
+def _json(path: Path) -> Any:
+    try:
+        size, text = path.stat().st_size, b""
+        if size <= _MOST:
+            text = path.read_bytes()
+    except OSError as error:
+        raise ValueError(f"it cannot be read ({error.strerror})") from None
+    if size > _MOST:
+        raise ValueError("it is too large for a report")
+    try:
+        return json.loads(text.decode("utf-8-sig"))
+    except (ValueError, RecursionError):  # of letters, of JSON, of a number without an end
+        raise ValueError("it is no JSON, or damaged") from None
 
 
 def _name(name: Any) -> str:

@@ -3,112 +3,125 @@ from __future__ import annotations
 
 import csv
 import io
-from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Collection, Sequence
+from dataclasses import dataclass
 from pathlib import Path
 
-from .report import Report, load
+from .report import Report, read
 
-_ALWAYS = ("file", "name", "written", "trusted", "why not", "solved", "tried", "predicted", "right")
+_ALWAYS = ("file", "name", "written", "trusted", "remarks", "solved", "tried", "predicted", "right",
+           "variants solved")
 _FORMULA = ("=", "+", "-", "@", "\t", "\r")  # what a spreadsheet takes for a formula
 
 
 @dataclass(frozen=True)
-class Collected:
-    """The reports of a folder, and the files that are none with the reason."""
+class Row:
+    """One file of a folder: its report, or none, why it cannot be trusted, and what else to know.
 
-    reports: tuple[Report, ...]
-    others: tuple[tuple[Path, str], ...]
+    `file` is its path within the folder.
+    """
 
-    @property
-    def doubtful(self) -> list[tuple[Path, str]]:
-        """Each file that cannot be trusted, and why."""
-        return [*((report.path or Path(), "; ".join(report.doubts)) for report in self.reports
-                  if report.doubts), *self.others]
+    file: str
+    report: Report | None
+    doubts: tuple[str, ...]
+    remarks: tuple[str, ...] = ()
 
 
-def collect(folder: Path, exercises: Sequence[str]) -> Collected:
-    """All reports in a folder and in those within it.
+def collect(folder: Path, exercises: Collection[str], predictions: Collection[str]) -> list[Row]:
+    """All reports in a folder and in those within it, by the names of their students.
 
     Parameters
     ----------
     folder : path
-    exercises : sequence of str
-        The names there are: a report that holds others is of another course.
+    exercises, predictions : names
+        Those that there are: a report that holds others is of another course.
     """
     if not folder.is_dir():
         raise ValueError(f"FOLDER: there is no folder {str(folder)!r}; give the one that holds "
                          "your students' files")
-    reports, others = [], []
-    for path in sorted(folder.rglob("*.json")):
-        if ".ipynb_checkpoints" in path.parts or not path.is_file():
-            continue
+    reports: dict[str, Report] = {}
+    rows = []
+    for path in _files(folder):
+        file = str(path.relative_to(folder))
         try:
-            reports.append(load(path))
+            reports[file] = read(path)
         except ValueError as error:
-            others.append((path, str(error)))
-    if not reports and not others:
+            rows.append(Row(file, None, (str(error),)))
+    if not reports and not rows:
         raise ValueError(f"FOLDER: there is no .json file in {str(folder)!r}; students write one "
                          "with kl.exercises.report()")
-    return Collected(tuple(_doubted(_unknown(report, exercises), reports) for report in reports),
-                     tuple(others))
+    known = {*exercises, *predictions}
+    return [*(_row(file, reports, known) for file in
+              sorted(reports, key=lambda file: (reports[file].name.casefold(), file))), *rows]
 
 
-def _unknown(report: Report, exercises: Sequence[str]) -> Report:
-    """With a doubt, if it holds exercises that there are not."""
-    beyond = sorted(set(report.work.tries) - set(exercises))
-    return replace(report, doubts=(*report.doubts, "other version: it holds exercises that this "
-                                   f"one has not: {', '.join(beyond[:3])}")) if beyond else report
+def _files(folder: Path) -> list[Path]:
+    """What may be a report, whatever a mail program has made of its name; no checkpoints."""
+    return [path for path in sorted(folder.rglob("*")) if ".json" in path.name.lower()
+            and ".ipynb_checkpoints" not in path.parts and not path.is_dir()]
 
 
-def _doubted(report: Report, all_of_them: Iterable[Report]) -> Report:
-    """With a doubt, if it is an older copy, or somebody else has handed in the same work."""
-    twins = [other for other in all_of_them if other.path != report.path
-             and set(other.sessions) & set(report.sessions)]
-    later = [other for other in twins if other.name == report.name
-             and (other.written, str(other.path)) > (report.written, str(report.path))]
-    others = [other for other in twins if other.name != report.name]
-    said = ([f"handed in again, later: {_files(later)}"] if later else []) + (
-        [f"the same work as somebody else's: {_files(others)}"] if others else [])
-    return replace(report, doubts=(*report.doubts, *said))
+def _row(file: str, reports: dict[str, Report], known: Collection[str]) -> Row:
+    report, others = reports[file], {name: one for name, one in reports.items() if name != file}
+    mine = {name: one for name, one in others.items() if one.name == report.name}
+    twins = [name for name, one in others.items() if set(one.sessions) & set(report.sessions)]
+    later = [name for name in twins if name in mine and not mine[name].edited
+             and (mine[name].written, name) > (report.written, file)]
+    doubts = [*report.doubts, *_unknown(report, known),
+              *_with_files("handed in again, later", later),
+              *_with_files("the same work as somebody else's",
+                           [name for name in twins if name not in mine])]
+    return Row(file, report, tuple(doubts), tuple(_with_files(
+        "another file has this name, too", [name for name in mine if name not in later])))
 
 
-def _files(reports: Sequence[Report]) -> str:
-    names = [report.path.name for report in reports if report.path]
-    return ", ".join(names[:3]) + (" and more" if len(names) > 3 else "")
+def _unknown(report: Report, known: Collection[str]) -> list[str]:
+    done = {name.partition(" ")[0] for name in (*report.work.tries, *report.work.predicted)}
+    beyond = sorted(done - set(known))
+    return [f"other version: it holds what this one does not ask: {', '.join(beyond[:3])}"
+            ] if beyond else []
 
 
-def as_csv(collected: Collected, exercises: Sequence[str], folder: Path) -> str:
+def _with_files(words: str, files: Sequence[str]) -> list[str]:
+    more = " and more" if len(files) > 3 else ""
+    return [f"{words}: {', '.join(files[:3])}{more}"] if files else []
+
+
+def as_csv(rows: Sequence[Row], exercises: Sequence[str]) -> str:
     """The table: a row for each file, a column for each exercise (1 solved, 0 tried)."""
     text = io.StringIO()
-    rows = csv.writer(text, lineterminator="\r\n")  # as CSV has it
-    rows.writerow([*_ALWAYS, *exercises])
-    for row in _rows(collected, exercises, folder):
-        rows.writerow([_harmless(cell) for cell in row])
+    out = csv.writer(text, lineterminator="\r\n")  # as CSV has it
+    out.writerow([*_ALWAYS, *exercises])
+    for row in rows:
+        out.writerow([_harmless(cell) for cell in _cells(row, exercises)])
     return text.getvalue()
 
 
-def save(text: str, path: Path) -> None:
-    """Write the table so that a spreadsheet reads its letters right."""
+def _cells(row: Row, exercises: Sequence[str]) -> list[str | int]:
+    said = "; ".join([*row.doubts, *row.remarks])
+    if row.report is None:
+        return [row.file, "", "", "no", said, *[""] * (len(_ALWAYS) - 5 + len(exercises))]
+    work = row.report.work
+    variants = sorted(name for name in work.solved if " " in name)
+    return [row.file, row.report.name, row.report.written, "no" if row.doubts else "yes", said,
+            len(set(work.solved) - set(variants)),
+            len([name for name in work.unsolved if " " not in name]),
+            len(work.first_answers), sum(work.first_answers), "; ".join(variants),
+            *(1 if name in work.solved else 0 if name in work.tries else "" for name in exercises)]
+
+
+def write(text: str, path: Path) -> None:
+    """Write the table so that a spreadsheet reads its letters right; never over another file."""
     try:
-        path.write_bytes(b"\xef\xbb\xbf" + text.encode("utf-8", "replace"))
-    except OSError as error:
-        raise ValueError(f"--out: cannot write {str(path)!r} ({error.strerror}); choose a folder "
-                         "of your own, or another name") from None
-
-
-def _rows(collected: Collected, exercises: Sequence[str],
-          folder: Path) -> Iterator[list[str | int]]:
-    for report in sorted(collected.reports, key=lambda report: report.name.casefold()):
-        work, path = report.work, report.path or Path()
-        answers = [ok for cases in work.predicted.values() for ok in cases.values()]
-        yield [str(path.relative_to(folder)), report.name, report.written,
-               "no" if report.doubts else "yes", "; ".join(report.doubts), len(work.solved),
-               len(set(work.tries) - set(work.solved)), len(answers), sum(answers),
-               *(1 if name in work.solved else 0 if name in work.tries else ""
-                 for name in exercises)]
-    for path, why in collected.others:
-        yield [str(path.relative_to(folder)), "", "", "no", why, *[""] * (4 + len(exercises))]
+        with path.open("xb") as file:
+            file.write(b"\xef\xbb\xbf" + text.encode("utf-8", "replace"))
+    except FileExistsError:
+        raise ValueError(f"--out: {str(path)!r} is there already and stays as it is; take it away, "
+                         "or give another name with --out") from None
+    except (OSError, ValueError) as error:
+        reason = getattr(error, "strerror", None) or error
+        raise ValueError(f"--out: cannot write {str(path)!r} ({reason}); choose a folder of your "
+                         "own, or another name") from None
 
 
 def _harmless(cell: str | int) -> str | int:

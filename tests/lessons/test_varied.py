@@ -8,6 +8,7 @@ from solved import RIGHT
 
 import kinlab as kl
 from kinlab import lessons
+from kinlab.answers.varied import Draw
 from kinlab.marks import record
 
 SEEDS = range(40)
@@ -68,6 +69,11 @@ def judged(name, answer, **numbers):
     return kl.exercises.judged(VARIED[name].judge(**numbers), answer)
 
 
+def drawn(name, seed):
+    """The numbers behind a variant, those that are asked for, too."""
+    return dict(VARIED[name].draw(Draw(f"{name} {seed}")))
+
+
 def test_each_exercise_with_variants_is_answered_here():
     assert set(VARIED) == set(ANSWERS) and set(VARIED) <= set(lessons.exercises())
 
@@ -75,17 +81,17 @@ def test_each_exercise_with_variants_is_answered_here():
 @pytest.mark.parametrize("name", VARIED)
 def test_the_right_answer_is_right_for_every_seed(name):
     for seed in SEEDS:
-        numbers = kl.exercises.variant(name, seed).numbers
+        numbers = drawn(name, seed)
         verdict = judged(name, ANSWERS[name](**numbers), **numbers)
-        assert verdict.ok, (dict(numbers), verdict)
+        assert verdict.ok, (numbers, verdict)
 
 
 @pytest.mark.parametrize("name", VARIED)
 def test_the_answer_to_other_numbers_is_wrong(name):
     """Whoever copies an answer needs the same numbers."""
-    seen = {repr(dict(kl.exercises.variant(name, seed).numbers)): seed for seed in SEEDS}
-    assert len(seen) >= 4
-    one, other, *_ = (kl.exercises.variant(name, seed).numbers for seed in seen.values())
+    seen = {repr(drawn(name, seed)): seed for seed in SEEDS}
+    assert len(seen) >= 10
+    one, other, *_ = (drawn(name, seed) for seed in seen.values())
     assert not judged(name, ANSWERS[name](**one), **other).ok
     verdict = judged(name, RIGHT[name], **other)
     assert not verdict.ok and verdict.word == "Not yet"
@@ -99,14 +105,24 @@ def test_the_task_holds_all_its_numbers(name):
         if name in BACKWARDS:
             assert r"\begin{bmatrix}" in variant.ask
             continue
+        assert dict(variant.numbers) == drawn(name, seed)
         for value in np.concatenate([*map(np.ravel, variant.numbers.values())]).tolist():
             assert f"{value:g}" in variant.ask, (value, variant)
+
+
+@pytest.mark.parametrize("name", BACKWARDS)
+def test_a_matrix_is_given_and_what_made_it_is_not(name):
+    variant = kl.exercises.variant(name, "Ada")
+    (matrix,) = variant.numbers.values()
+    assert all(f"{entry:.4f}" in variant.ask for entry in matrix.ravel() + 0.0)
+    assert variant.check(ANSWERS[name](**drawn(name, "Ada"))).ok
+    assert not set(variant.numbers) & set(drawn(name, "Ada"))
 
 
 def test_the_lost_matrix_is_that_of_its_row():
     """By the printed form of A: column 4 is (a cos, a sin, d), row 3 (0, sin, cos of alpha, d)."""
     variant = kl.exercises.variant("dh_recipe.6", "Ada")
-    theta, d, a, alpha = variant.numbers.values()
+    theta, d, a, alpha = drawn("dh_recipe.6", "Ada").values()
     for entry in (cos(radians(theta)), a * sin(radians(theta)), sin(radians(alpha)), d):
         assert f"{entry:.4f}" in variant.ask
 
@@ -117,8 +133,8 @@ def test_the_matrices_of_turns_are_those_of_their_numbers():
     rows = [[float(x) for x in row.split("&")] for row in
             one.ask.split("bmatrix}")[1].removesuffix(r"\end{").split(r"\\")]
     assert sum(rows[k][k] for k in range(3)) == pytest.approx(
-        1 + 2 * cos(radians(one.numbers["angle"])), abs=2e-4)
-    assert f"{cos(radians(other.numbers['left'])):.4f}" in other.ask
+        1 + 2 * cos(radians(drawn("turns.3", "Ada")["angle"])), abs=2e-4)
+    assert f"{cos(radians(drawn('turns.5', 'Ada')['left'])):.4f}" in other.ask
 
 
 def test_a_seed_has_the_same_numbers_everywhere():
@@ -161,11 +177,14 @@ def test_an_exercise_without_numbers_has_no_variants():
         kl.exercises.variant("rotation.4")
 
 
-def test_a_variant_is_checked_and_counts_for_its_exercise(monkeypatch):
+def test_spaces_around_a_seed_do_not_count():
+    assert kl.exercises.variant("rotation.2", " Ada ") == kl.exercises.variant("rotation.2", "Ada")
+
+
+def test_a_variant_is_checked_and_kept_apart_from_its_exercise(monkeypatch):
     monkeypatch.setattr(record, "WORK", record.Work())
     variant = kl.exercises.variant("translation.3", "Ada")
     assert variant.check(...).word == "Not attempted yet"
     assert not variant.check([0, 0]).ok and variant.check([1, 3]).ok
-    assert record.WORK.tries == {"translation.3": 2}
-    assert list(record.WORK.solved) == ["translation.3"]
-    assert record.WORK.seeds == {"translation.3": ["Ada"]}
+    assert record.WORK.tries == {"translation.3 Ada": 2}
+    assert list(record.WORK.solved) == ["translation.3 Ada"]

@@ -60,27 +60,32 @@ def test_no_guess_is_no_right_answer(work):
 def test_sessions_are_put_together_in_their_order():
     first = Work(tries={"a.1": 2, "a.2": 1}, predicted={"a.x": {"0": False}})
     second = Work(tries={"a.1": 1, "a.3": 1}, solved={"a.1": "2026-01-02T00:00:00Z"},
-                  seeds={"a.1": ["7"]}, predicted={"a.x": {"0": True, "1": True}})
-    third = Work(tries={"a.1": 1}, solved={"a.1": "2026-01-03T00:00:00Z"},
-                 seeds={"a.1": ["7", "8"]})
+                  predicted={"a.x": {"0": True, "1": True}})
+    third = Work(tries={"a.1": 1}, solved={"a.1": "2026-01-03T00:00:00Z"})
     whole = together([first, second, third])
     assert whole.tries == {"a.1": 3, "a.2": 1, "a.3": 1}, "tries after the solution do not count"
     assert whole.solved == {"a.1": "2026-01-02T00:00:00Z"}
-    assert whole.seeds == {"a.1": ["7", "8"]}
     assert whole.predicted == {"a.x": {"0": False, "1": True}}, "the first answer counts"
 
 
 @pytest.mark.parametrize("wrong", [
-    None, [], {"began": "x"}, {"began": 1, "version": "0", "work": {}},
-    {"began": "x", "version": "0", "work": {"tries": {}, "solved": {}, "seeds": {}}},
-    {"began": "x", "version": "0", "work": {"tries": {"a.1": "2"}, "solved": {}, "seeds": {},
-                                            "predicted": {}}},
-    {"began": "x", "version": "0", "work": {"tries": {"a.1": True}, "solved": {}, "seeds": {},
-                                            "predicted": {}}},
-    {"began": "x", "version": "0", "work": {"tries": {}, "solved": {}, "seeds": {"a.1": [3]},
-                                            "predicted": {}}},
-    {"began": "x", "version": "0", "work": {"tries": {}, "solved": {}, "seeds": {},
-                                            "predicted": {"a.x": [True]}}}])
-def test_what_is_no_session_is_refused(wrong):
+    {"tries": None}, {"tries": {"a.1": "2"}}, {"tries": {"a.1": True}}, {"solved": []},
+    {"predicted": {"a.x": [True]}}, {"predicted": {"a.x": {"0": 1}}}])
+def test_what_is_no_work_is_refused(wrong):
+    right = {"tries": {"a.1": 2}, "solved": {}, "predicted": {"a.x": {"0": True}}}
+    whole = {"began": "2026-01-01T00:00:00Z", "version": "0.1.0", "work": right}
+    assert Session.of(whole).work == Work(**right)
     with pytest.raises(ValueError):
-        Session.of(wrong)
+        Session.of(whole | {"work": right | wrong})
+
+
+@pytest.mark.parametrize("wrong", [{"began": 1}, {"began": "now"}, {"version": None},
+                                   {"version": "0\x1b[31m"}, {"work": []}])
+def test_what_is_no_session_is_refused(wrong):
+    whole = {"began": "2026-01-01T00:00:00Z", "version": "0.1.0",
+             "work": {"tries": {}, "solved": {}, "predicted": {}}}
+    with pytest.raises(ValueError):
+        Session.of(whole | wrong)
+    for other in (None, [], {}):
+        with pytest.raises(ValueError):
+            Session.of(other)

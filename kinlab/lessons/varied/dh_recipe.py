@@ -1,8 +1,6 @@
 """Lesson 05 with other numbers."""
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
 
 from ...answers.matrices import link_matrix
@@ -16,8 +14,12 @@ def _row(draw: Draw) -> dict[str, float]:
             "a": draw.one_of([-0.4, -0.5, -0.8]), "alpha": draw.one_of([-60, -30, 30, 60])}
 
 
-def _printed(theta: float, d: float, a: float, alpha: float) -> str:
-    T: Any = link_matrix(np.radians(theta), d, a, np.radians(alpha))
+def _matrix(theta: float, d: float, a: float, alpha: float) -> np.ndarray:
+    return link_matrix(np.radians(theta), d, a, np.radians(alpha))
+
+
+def _printed(**row: float) -> str:
+    T = _matrix(**row)
     rows = (" & ".join(f"{entry + 0.0:.4f}" for entry in row) for row in np.round(T, 4))
     return r"\begin{bmatrix} " + r" \\ ".join(rows) + r" \end{bmatrix}"
 
@@ -29,5 +31,5 @@ VARIED = {
             f"$$T = {_printed(**row)}$$\n\n"
             "Find $\\theta, d, a, \\alpha$ (angles in radians). Each angle is a multiple of 30°: "
             "give it exactly, with `np.radians`."),
-        _row, lost_row_judge),
+        _row, lost_row_judge, lambda **row: {"T": np.round(_matrix(**row), 4)}),
 }

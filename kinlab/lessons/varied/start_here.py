@@ -13,7 +13,7 @@ def _units(draw: Draw) -> dict[str, int]:
 
 
 def _target(draw: Draw) -> dict[str, tuple[float, float]]:
-    first, bend = radians(draw.one_of([10, 15, 25, 30, 40])), radians(draw.one_of([50, 70, 80, 90]))
+    first, bend = radians(5 * draw.whole(1, 9)), radians(5 * draw.whole(10, 19))
     return {"target": (round(cos(first) + cos(first + bend), 2),
                        round(sin(first) + sin(first + bend), 2))}
 

@@ -40,12 +40,13 @@ VARIED = {
         lambda **turn: (
             f"$$R = {_matrix(_round(**turn))}$$\n\n"
             "Give its axis, three numbers of length 1, and its angle in radians: `[axis, angle]`."),
-        _turn, _axis_judge),
+        _turn, _axis_judge, lambda **turn: {"R": np.round(_round(**turn), 4)}),
     "turns.5": Varied(
         lambda left: (
             f"$$R = {_matrix(_locked(left))}$$\n\n"
             "Give roll, pitch and yaw, in radians, so that `kl.rpy_matrix` makes this matrix of "
             "them. There are infinitely many right answers; give one."),
         lambda draw: {"left": draw.whole(15, 75, but=(45,))},
-        lambda left: locked_judge(_locked(left))),
+        lambda left: locked_judge(_locked(left)),
+        lambda left: {"R": np.round(_locked(left), 4)}),
 }

@@ -6,16 +6,16 @@ from ..workspace import design_judge, nearest_judge, wall_judge
 
 
 def _ring(draw: Draw) -> dict[str, float]:
-    """Radii that are not three times each other: then a link would be as long as the hole."""
-    return {"near": draw.one_of([0.2, 0.3, 0.5, 0.7]), "far": draw.one_of([1.4, 1.8, 2.0, 2.3])}
+    """Radii of which the larger one is more than three times the smaller one."""
+    return {"near": draw.whole(2, 7) / 10, "far": draw.whole(23, 29) / 10}
 
 
 def _links(draw: Draw) -> dict[str, float]:
-    return {"l_1": draw.one_of([0.9, 1.2, 1.5]), "l_2": draw.one_of([0.4, 0.5, 0.7, 0.8])}
+    return {"l_1": draw.whole(8, 16, but=(10,)) / 10, "l_2": draw.whole(3, 7, but=(6,)) / 10}
 
 
 def _far_point(draw: Draw) -> dict[str, int]:
-    return {"ahead": draw.one_of([450, 500, 550, 650]), "high": draw.one_of([400, 450, 550, 600])}
+    return {"ahead": 10 * draw.whole(47, 65), "high": 10 * draw.whole(40, 60)}
 
 
 VARIED = {
