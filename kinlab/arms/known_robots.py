@@ -86,7 +86,7 @@ def stanford() -> Arm:
     Robotics Toolbox, model stanford: d1 = 0.412, d2 = 0.154, d6 = 0.263 m, a slide of 12 to 50
     inches, which it estimated from a photograph; the turns are from a paper of IJCAI 1973. d1,
     0 in the books, is the height of the shoulder above the floor. No speeds were found. Joint 3
-    has theta = 0 as in the books; the toolbox has -90 degrees there.
+    has theta = 0 and a = 0 as in the books; the toolbox has -90 degrees and 0.0203 m there.
     Home, ours: q = (0, 75 deg, 0.6 m, 0, 45 deg, 0), the boom's tail clear of the floor.
 
     Examples
