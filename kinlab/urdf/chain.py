@@ -44,13 +44,14 @@ def chain_of(robot: Robot, tip: str | None) -> Chain:
     """The chain to a link by its name; to the only end there is, if it is None."""
     above = _parents(robot)
     root = _root(robot, above)
-    joints = _way(above, _tip(robot, above, tip))
+    end = _tip(robot, above, tip)
+    joints = _way(above, end)
     for joint in joints:
         _serial(joint)
     if not any(joint.kind in MOVING for joint in joints):
         raise ValueError("URDF: expected a joint that moves between root and tip, got "
-                         f"{'only fixed ones' if joints else 'none'} between "
-                         f"{inputs.brief(root)} and {inputs.brief(tip or root)}; name another tip")
+                         f"{_still(root, end)}; "
+                         + ("name another tip" if tip else "give a robot whose joints move"))
     poses = [np.eye(4)]
     for joint in joints:
         poses.append(poses[-1] @ joint.origin())
@@ -124,6 +125,13 @@ def _way(above: dict[str, Joint], tip: str) -> tuple[Joint, ...]:
         joints.append(above[tip])
         tip = above[tip].parent
     return tuple(reversed(joints))
+
+
+def _still(root: str, tip: str) -> str:
+    """Why nothing moves a tip."""
+    if tip == root:
+        return f"a tip, {inputs.brief(tip)}, that is the root itself"
+    return f"only fixed ones between {inputs.brief(root)} and {inputs.brief(tip)}"
 
 
 def _serial(joint: Joint) -> None:

@@ -37,6 +37,10 @@ def _text(source: Any) -> bytes | str:
         return source.lstrip(_EMPTY.encode())
     if isinstance(source, str) and source.lstrip(_MARK + _EMPTY).startswith("<"):
         return source.lstrip(_MARK + _EMPTY)
+    if isinstance(source, str) and not source.strip():
+        raise ValueError("path_or_text: expected a file's name or the text of a URDF, "
+                         f"got {inputs.brief(source)}, which is empty; "
+                         "write kl.from_urdf(\"robot.urdf\")")
     if isinstance(source, str | os.PathLike):
         return _file(source).lstrip(_EMPTY.encode())
     raise ValueError("path_or_text: expected a file's name or the text of a URDF, "

@@ -1,6 +1,7 @@
 """What a URDF says of its joints, checked and in numbers."""
 from __future__ import annotations
 
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any
 from xml.etree.ElementTree import Element
@@ -9,11 +10,12 @@ import numpy as np
 
 from ..arms import inputs
 from .document import root_of
-from .numbers import XACRO, axis, number, pose
+from .numbers import XACRO, axis, number, pose, turns
 
 CONTINUOUS = "continuous"
 TURNS = ("revolute", CONTINUOUS)
 SLIDES = ("prismatic",)
+BOUNDLESS = 1e6  # rad/s, m/s, N or Nm, where an arm has no such bound: no joint comes near
 _KINDS = (*TURNS, *SLIDES, "fixed", "floating", "planar")
 _OTHER = {"sdf": "which is SDF, of Gazebo; convert it, or look for the robot's .urdf",
           "mujoco": "which is MJCF, of MuJoCo; look for the robot's .urdf"}
@@ -48,6 +50,10 @@ class Joint:
         """Pose of the joint, and of its child at q = 0, in the parent: shape (4, 4)."""
         return pose(self.what, self.element.find("origin"))
 
+    def rpy(self) -> np.ndarray:
+        """Roll, pitch and yaw of the joint in the parent, as the file has them: shape (3,)."""
+        return turns(self.what, self.element.find("origin"))
+
     def axis(self) -> np.ndarray:
         """Unit vector of the joint's axis, in the child's frame: shape (3,)."""
         return axis(self.what, self.element.find("axis"))
@@ -62,17 +68,19 @@ class Joint:
         if low > high:
             raise ValueError(f"{self.what}: expected lower up to upper, got lower {low:g} and "
                              f"upper {high:g}; exchange them")
+        if self.kind in TURNS:
+            inputs.in_radians(f"{self.what}, limits", (low, high))
         return low, high
 
     def speed(self) -> float | None:
-        """The largest rate; None where the file has none, or 0."""
+        """The largest rate; None where the file has none, or 0, or one beyond all joints."""
         limit = self.element.find("limit")
         rate = 0.0 if limit is None else number(f"{self.what}, velocity",
                                                 limit.get("velocity", "0"))
         if rate < 0:
             raise ValueError(f"{self.what}: expected a velocity above zero, got {rate:g}; "
                              "take away the minus")
-        return rate or None
+        return rate if 0 < rate < BOUNDLESS else None
 
 
 @dataclass(frozen=True)
@@ -101,10 +109,10 @@ def robot_of(source: Any) -> Robot:
     return Robot(inputs.line("name", root.get("name", "")), links, joints)
 
 
-def listed(names: list[str] | tuple[str, ...], most: int = 12) -> str:
+def listed(names: Sequence, most: int = 12, show: Callable[[Any], str] = inputs.brief) -> str:
     """Names in a sentence, and how many more there are."""
     more = [f"and {len(names) - most} more"] if len(names) > most else []
-    return ", ".join([*map(inputs.brief, names[:most]), *more])
+    return ", ".join([*map(show, names[:most]), *more])
 
 
 def _named(kind: str, element: Element) -> str:

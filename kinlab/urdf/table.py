@@ -8,7 +8,7 @@ import numpy as np
 
 from ..arms.arm import Arm, row_of, to_modified
 from ..arms.kinematics import link_frames
-from ..arms.link import Link, fixed, prismatic, revolute
+from ..arms.link import PRISMATIC, REVOLUTE, Link, fixed
 from ..arms.transforms import inverse
 from .axes import Axis, axes_of, size_of
 from .chain import Chain
@@ -91,10 +91,10 @@ def _last(T: np.ndarray, size: float, slides: bool) -> Numbers:
 
 
 def _link(joint: Joint, axis: Axis, row: Numbers) -> Link:
-    make, limits = prismatic if axis.slides else revolute, joint.limits()
+    kind, limits = PRISMATIC if axis.slides else REVOLUTE, joint.limits()
     if limits and not axis.slides:
         limits = plain_turn(limits[0]), plain_turn(limits[1])
-    return make(**row._asdict(), limits=limits, name=joint.name, flip=axis.flip,
+    return Link(kind, **row._asdict(), limits=limits, name=joint.name, flip=axis.flip,
                 speed=joint.speed())
 
 

@@ -15,7 +15,7 @@ from ..arms.arm import Arm, check_arm
 from ..arms.joints import joint_range
 from ..arms.link import PRISMATIC, Link
 from ..arms.motions import ROTATE, Frame, Motion, follow, matrix, motions_of
-from .robot import CONTINUOUS
+from .robot import BOUNDLESS, CONTINUOUS
 
 _METRES = {"m": 1.0, "dm": 0.1, "cm": 0.01, "mm": 0.001, "in": 0.0254, "ft": 0.3048}
 _NO_SIGN = re.compile("[\ufffe\uffff]")  # the two that a line of text may have and XML may not
@@ -48,8 +48,10 @@ def to_urdf(arm: Arm) -> str:
     Notes
     -----
     What URDF has no word for is left out: the convention, the home, names of fixed rows, and
-    accelerations. It asks for a speed and an effort of each joint: 0 stands there where the arm has
-    none. A prismatic joint must have limits in URDF: without any it gets those that its slider has.
+    accelerations. It asks for a speed and an effort of each joint. Where the arm has none,
+    1000000 stands there, which `from_urdf` reads as none: simulators take 0 at its word, and the
+    joint never moves. A prismatic joint must have limits in URDF: without any it gets those that
+    its slider has.
 
     Examples
     --------
@@ -118,8 +120,11 @@ def _limit(arm: Arm, i: int, kind: str, metres: float) -> dict[str, str]:
     """The joint's limits, if it has any, and its speed."""
     scale = metres if kind == PRISMATIC else 1.0
     ends = {} if kind == CONTINUOUS else dict(zip(("lower", "upper"), joint_range(arm, i)))
-    rates = {"effort": 0.0, "velocity": arm.joints[i].speed or 0.0}
-    return {name: _short(value * scale) for name, value in (ends | rates).items()}
+    if speed := arm.joints[i].speed:
+        ends["velocity"] = speed
+    said = {name: value * scale for name, value in ends.items()}
+    rates = {"effort": BOUNDLESS, "velocity": BOUNDLESS}
+    return {name: _short(value) for name, value in (rates | said).items()}
 
 
 def _kind(row: Link) -> str:

@@ -42,8 +42,9 @@ def read(text, tip=None):
 LIMIT = '<limit lower="-1" upper="1"/>'
 WRONG = {
     "no link": ("<robot/>", r"^URDF: expected one root, .* got none; write a <link> for each body"),
-    "no joint": (robot(links="a"), "^URDF: expected a joint that moves .* got none between 'a'"),
-    "only fixed ones": (robot(joint(kind="fixed")), "got only fixed ones between 'a' and "),
+    "no joint": (robot(links="a"), "^URDF: expected a joint that moves .* got a tip, 'a', that is "
+                 "the root itself; give a robot whose joints move$"),
+    "only fixed ones": (robot(joint(kind="fixed")), "got only fixed ones between 'a' and 'b'; g"),
     "two roots": (robot(joint(), links="abc"), "got 2: 'a', 'c'; tie them together with fixed"),
     "a circle": (robot(joint(), joint("k", parent="b", child="a")), "got none; the joints go in a"),
     "a circle beside": (robot(joint(), joint("k", parent="c", child="d"),
@@ -69,9 +70,26 @@ WRONG = {
     "two numbers": (robot(joint(rest=f'<origin rpy="0 1"/>{LIMIT}')),
                     "^joint 'j': expected three numbers in rpy, got '0 1'; write rpy=\"0 0 0\""),
     "four numbers": (robot(joint(rest=f'<axis xyz="0 0 0 1"/>{LIMIT}')), "three numbers in xyz"),
+    "commas": (robot(joint(rest=f'<origin xyz="0, 0, 0.2"/>{LIMIT}')),
+               "^joint 'j': expected three numbers in xyz, with spaces between them and no commas, "
+               "got '0, 0, 0.2'; write xyz=\"0 0 0.2\"$"),
+    "commas alone": (robot(joint(rest=f'<axis xyz="0,1,-2e1"/>{LIMIT}')), 'write xyz="0 1 -2e1"$'),
+    "commas and points": (robot(joint(rest=f'<origin xyz="1.5,2 0,3 4"/>{LIMIT}')),
+                          'write xyz="0 0 0"$'),
+    "pi": (robot(joint(rest=f'<origin rpy="pi/2 0 0"/>{LIMIT}')), "^joint 'j', rpy: expected a "
+           "number, got 'pi/2'; write 1.5707963267948966$"),
+    "parts of pi": (robot(joint(rest='<limit lower="-2*pi/3" upper="1"/>')),
+                    "^joint 'j', lower: .* got '-2\\*pi/3'; write -2.0943951023931953$"),
+    "half of a part of pi": (robot(joint(rest=f'<origin rpy="pi/0 0 0"/>{LIMIT}')),
+                             "got 'pi/0'; write it as 0.25$"),
+    "no digit of pi": (robot(joint(rest=f'<origin rpy=".pi 0 0"/>{LIMIT}')), "write it as 0.25$"),
+    "a quaternion": (robot(joint(rest=f'<origin quat_xyzw="0 0 0 1"/>{LIMIT}')),
+                     "^joint 'j': expected the turn as rpy, got quat_xyzw; "),
     "a word": (robot(joint(rest=f'<origin xyz="0 0 up"/>{LIMIT}')),
                "^joint 'j', xyz: expected a number, got 'up'; write it as 0.25"),
-    "a comma": (robot(joint(rest=f'<origin xyz="0 0 0,5"/>{LIMIT}')), "write the decimal point"),
+    "a comma": (robot(joint(rest=f'<origin xyz="0 0 0,5"/>{LIMIT}')), 'write xyz="0 0 0.5"$'),
+    "a limit with a comma": (robot(joint(rest='<limit lower="0,5" upper="1"/>')),
+                             "write the decimal point as .$"),
     "NaN": (robot(joint(rest=f'<origin xyz="0 0 nan"/>{LIMIT}')), "expected a number, got 'nan'"),
     "infinity": (robot(joint(rest=f'<origin xyz="0 0 inf"/>{LIMIT}')), "expected a number, got 'i"),
     "too large": (robot(joint(rest=f'<origin xyz="0 0 1e999"/>{LIMIT}')), "xyz: expected finite n"),
@@ -116,7 +134,8 @@ def test_a_tip_before_a_joint_that_is_none_of_an_arm_is_taken():
     text = robot(joint(), joint("k", "floating", "b", "c"), joint("m", "planar", "c", "d"),
                  links="abcd")
     assert kl.from_urdf(text, "b").n == 1
-    assert refused(text, "a").startswith("URDF: expected a joint that moves between root and tip")
+    assert refused(text, "a") == ("URDF: expected a joint that moves between root and tip, got a "
+                                  "tip, 'a', that is the root itself; name another tip")
 
 
 def test_an_end_that_never_moves_is_no_tip():
@@ -171,7 +190,65 @@ def test_limits_without_ends_lock_a_joint_and_that_is_said():
 
 def test_limits_in_degrees_are_said():
     _, said = read(robot(joint(rest='<limit lower="-180" upper="180"/><axis xyz="0 0 1"/>')))
-    assert said == ["limits: -180 is 28.6 turns; angles are in radians: np.radians(-180)"]
+    assert said == ["joint 'j', limits: -180 is 28.6 turns; angles are in radians: "
+                    "np.radians(-180)"]
+
+
+def test_turns_in_degrees_are_said_and_taken_as_radians():
+    arm, said = read(robot(joint(rest=f'<origin rpy="0 0 90"/><axis xyz="0 0 1"/>{LIMIT}')))
+    assert said[0] == ("joint 'j', rpy: 90 is 14.3 turns; angles are in radians: np.radians(90)")
+    assert not [one for one in said[1:] if "turns" in one]
+    c, s = np.cos(90), np.sin(90)
+    np.testing.assert_allclose(kl.forward_kinematics(arm, [0])[:2, :2], [[c, -s], [s, c]],
+                               atol=1e-12)
+
+
+def test_a_slide_of_many_metres_is_no_angle():
+    _, said = read(robot(joint(kind="prismatic", rest='<axis xyz="0 0 1"/>'
+                               '<limit lower="-20" upper="20"/>')))
+    assert said == []
+
+
+def test_words_that_urdf_does_not_know_are_said():
+    _, said = read(robot(joint(rest='<origin rp="1 0 0"/><axis xyz="0 0 1" order="zyx"/>'
+                                    '<limit lower="-1" uper="1" drake:acceleration="2"/>')
+                         ).replace("<robot", '<robot xmlns:drake="http://drake.mit.edu"'))
+    assert said == [
+        "from_urdf: 'order' in the <axis> of 'j' is not read; URDF has xyz there",
+        "from_urdf: 'rp' in the <origin> of 'j' is not read; is rpy meant?",
+        "from_urdf: 'uper' in the <limit> of 'j' is not read; is upper meant?"]
+
+
+def test_one_word_of_many_joints_is_said_once():
+    rest = '<axis xyz="0 0 1"/><limit lower="-1" upper="1" jerk="1"/>'
+    _, said = read(robot(joint(rest=rest), joint("k", parent="b", child="c", rest=rest),
+                         links="abc"))
+    assert said == ["from_urdf: 'jerk' in the <limit> of 'j', 'k' is not read; URDF has lower, "
+                    "upper, velocity, effort there"]
+
+
+@pytest.mark.parametrize("element", ['<origin xyz="0 0 1"/>', '<axis xyz="0 0 1"/>', LIMIT,
+                                     '<parent link="a"/>', '<child link="b"/>'])
+def test_a_second_element_is_said_and_the_first_is_read(element):
+    tag = re.match(r"<\w+", element)[0]
+    first = '<origin xyz="0 0 2"/><axis xyz="0 0 1"/>' + LIMIT
+    arm, said = read(robot(joint(rest=first + element)))
+    assert said == [f"from_urdf: the second {tag}> of 'j' is not read; leave one"]
+    assert kl.forward_kinematics(arm, [0])[2, 3] == 2
+
+
+def test_words_beside_the_way_to_the_tip_are_nobodys_business():
+    text = robot(joint(rest='<axis xyz="0 0 1"/>' + LIMIT),
+                 joint("k", "fixed", "a", "c", '<origin rp="1 0 0"/>'), links="abc")
+    assert read(text)[1] == []
+
+
+@pytest.mark.parametrize(("height", "remarks"), [("49", 0), ("812.5", 1)])
+def test_millimetres_are_said(height, remarks):
+    _, said = read(urdf("R", turning("j", "0 0 0"), held("tip", f"0 0 {height}")))
+    assert [one for one in said if "long" in one] == remarks * [
+        "from_urdf: the arm is 812.5 m long, as lengths in URDF are in metres; if the file's are "
+        "in millimetres, divide them by 1000"]
 
 
 def test_frames_that_differ_are_said_with_the_convention():
@@ -188,9 +265,44 @@ def test_a_rounded_right_angle_is_said():
                 held("tip", "0 0 0"))
     arm, said = read(text)
     assert arm.links[1].alpha == pytest.approx(1.5708, abs=1e-15)
-    assert said[-1] == ("from_urdf: row 2 has an angle of 90.00021046°, as the file's angles are "
-                        "rounded; if pi/2 is meant, give them more digits (1.5707963267948966 for "
-                        "pi/2)")
+    assert said[-1] == ("from_urdf: angles of 'two' in the file are rounded, such as 1.5708 for "
+                        "pi/2; so angles in row 2 are not exact; write 1.5707963267948966 for pi/2")
+
+
+def test_a_rounded_turn_of_the_base_is_said():
+    text = urdf("R", turning("one", "0 0 1", "-1.0472 0 0"), turning("two", "0 0 0", "1.2 0 0"))
+    arm, said = read(text)
+    assert not np.array_equal(arm.base, np.eye(4))
+    assert said[-1] == ("from_urdf: angles of 'one' in the file are rounded, such as -1.0472 for "
+                        "-pi/3; so angles in the base are not exact; write -1.0471975511965976 for "
+                        "-pi/3")
+
+
+def lite6(right, half):
+    """The turns of the Lite 6 in its maker's file, and its lengths."""
+    return urdf("Lite 6", turning("joint1", "0 0 0.2435"),
+                turning("joint2", "0 0 0", f"{right} -{right} {half}"),
+                turning("joint3", "0.2002 0 0", f"-{half} 0 {right}"),
+                turning("joint4", "0.087 -0.22761 0", f"{right} 0 0"),
+                turning("joint5", "0 0 0", f"{right} 0 0"),
+                turning("joint6", "0 0.0625 0", f"-{right} 0 0"))
+
+
+def test_a_fixed_row_that_comes_of_rounding_is_explained():
+    arm, said = read(lite6("1.5708", "3.1416"))
+    assert [link.kind for link in arm.links].index("fixed") == 2 and len(arm.links) == 7
+    assert said[-1] == (
+        "from_urdf: angles of 'joint2', 'joint3', 'joint4', 'joint5', 'joint6' in the file are "
+        "rounded, such as 1.5708 for pi/2; so angles in rows 1, 2, 3, 4, 5, 6 are not exact, and "
+        "row 3 without a joint came in, as axes that should be parallel are not quite so; write "
+        "1.5707963267948966 for pi/2")
+    arm, said = read(lite6("1.5707963267948966", "3.141592653589793"))
+    assert len(arm.links) == 6 and not [one for one in said if "rounded" in one]
+
+
+def test_an_angle_that_is_meant_so_is_not_called_rounded():
+    _, said = read(urdf("R", turning("one", "0 0 1"), turning("two", "0.3 0 0", "1.5718 0 0")))
+    assert not [one for one in said if "rounded" in one]
 
 
 def test_twelve_digits_of_pi_are_pi():

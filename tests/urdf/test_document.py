@@ -108,6 +108,8 @@ WRONG = {
     "no file": ("nowhere.urdf", "got 'nowhere.urdf', which is not there"),
     "a name with a zero": ("a\0b", "which is not there"),
     "somebody's home": ("~nobody-of-this-name/r.urdf", "which is not there"),
+    "an empty name": ("", "got '', which is empty; write kl.from_urdf("),
+    "spaces": (" \n", "which is empty"),
     "a folder": (".", "which is a folder; name a file in it"),
     "a file in a file": (f"{__file__}/x", "which is not there"),
     "a long name": ("a" * 5000, "which cannot be read"),

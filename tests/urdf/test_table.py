@@ -69,6 +69,21 @@ def test_a_link_frame_of_the_file_is_where_the_record_says(chain, seed):
         assert (link in record.differ) != link.same, k
 
 
+@pytest.mark.parametrize("right", ["1.57079632679", "1.57079632"])
+@pytest.mark.parametrize("length", [0.001, 1, 100, 1e5])
+def test_poses_are_exact_to_a_billionth_of_the_arms_length(length, right):
+    """Pi with twelve digits is off by some 1e-12, which 1e5 m make 1e-7 m of."""
+    places = [" ".join(f"{share * length:.9g}" for share in shares)
+              for shares in ((0, 0.1, 0.3), (0.4, -0.2, 0), (0.3, 0.1, 0.2))]
+    text = robot("Long", *(turning(f"j{k}", place, f"{right} 0 -{right}")
+                           for k, place in enumerate(places)))
+    arm, whole = kl.from_urdf(text), max(1.0, 1.2 * length)
+    for q in np.random.default_rng(7).uniform(-3, 3, (20, 3)):
+        np.testing.assert_allclose(kl.forward_kinematics(arm, q),
+                                   plain_reader.pose(text, "j2_link", q), rtol=0,
+                                   atol=1e-9 * whole)
+
+
 def two(rpy, place="0.4 0 0", axis="0 0 1"):
     """Two axes, the second turned by rpy, and a tip."""
     return robot("Two", turning("one", "0 0 0.3"), turning("two", place, rpy, axis),

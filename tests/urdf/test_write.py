@@ -96,17 +96,29 @@ def test_what_is_written_is_what_urdf_has_for_it():
     assert robot.get("name") == "Crane"
     assert [joint.get("type") for joint in (waist, boom, last, tool)] == [
         "revolute", "prismatic", "continuous", "fixed"]
-    assert waist.find("limit").attrib == {"lower": "-1", "upper": "2", "effort": "0",
+    assert waist.find("limit").attrib == {"lower": "-1", "upper": "2", "effort": "1000000",
                                           "velocity": "3"}
-    assert boom.find("limit").attrib == {"lower": "0.1", "upper": "0.4", "effort": "0",
+    assert boom.find("limit").attrib == {"lower": "0.1", "upper": "0.4", "effort": "1000000",
                                          "velocity": "0.05"}
-    assert last.find("limit").attrib == {"effort": "0", "velocity": "0"}
+    assert last.find("limit").attrib == {"effort": "1000000", "velocity": "1000000"}
     assert boom.find("axis").get("xyz") == "0 0 -1"
     assert boom.find("origin").attrib == {"xyz": "0 0 0.25", "rpy": "1.5707963267948966 0 0"}
     assert tool.find("origin").attrib == {"xyz": "0.03 0 0", "rpy": "0 0 0"}
     again = kl.from_urdf(kl.to_urdf(arm))
     assert [(link.limits, link.speed) for link in again.links] == [
         ((-1, 2), 3), ((0.1, 0.4), 0.05), (None, None)]
+
+
+def test_a_joint_without_a_speed_may_move_and_comes_back_without_one():
+    """A simulator that obeys the file would hold a joint of speed or effort 0 for ever."""
+    for unit in ("m", "mm", "in"):
+        arm = kl.Arm([kl.revolute(a=1), kl.revolute(limits=(0, 1)), kl.prismatic(limits=(0, 1))],
+                     unit=unit)
+        text = kl.to_urdf(arm)
+        limits = [joint.find("limit") for joint in ET.fromstring(text).findall("joint")[:3]]
+        assert all(float(limit.get(name)) == 1e6 for limit in limits
+                   for name in ("velocity", "effort"))
+        assert [link.speed for link in kl.from_urdf(text).links] == [None] * 3
 
 
 def test_a_locked_joint_stays_locked_and_home_is_there():
