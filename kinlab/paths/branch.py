@@ -46,7 +46,7 @@ class Lost(Exception):
 
 @dataclass(frozen=True, eq=False)
 class Branch:
-    """Postures of an arm on a line."""
+    """Postures of an arm on a line, its lengths as parts of its own: of a `Core`."""
 
     task: Task
     line: Line
@@ -63,11 +63,6 @@ class Branch:
             sizes = np.linalg.svd(self.task.pull(place, q.tolist(), still)[0], compute_uv=False)
             counts.append(int(np.sum(sizes > RANK * sizes[0])))
         return max(1, *counts)
-
-    @cached_property
-    def scale(self) -> np.ndarray:
-        """What makes values that compare with radians of joint values, shape (n,)."""
-        return np.where(self.task.revolute[:, 0], 1.0, 1 / self.task.length)
 
     def slopes(self, shares: np.ndarray, joints: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """dq/ds (m, n) at places on the line, and how far each is from a singular one (m,): its
@@ -108,8 +103,8 @@ class Branch:
         within the limits, and else the one in which the joint that turns most grows.
         """
         U = np.linalg.svd(self.task.pull(*self._seen(s, q))[0], full_matrices=False)[0]
-        idle = U[:, self.rank - 1] / self.scale
-        idle *= NUDGE * np.sign(idle[np.abs(idle * self.scale).argmax()])
+        idle = U[:, self.rank - 1]
+        idle = NUDGE * np.sign(idle[np.abs(idle).argmax()]) * idle
         found = [self.on_line(to, start) for start in (q + idle, q - idle)]
         low, high = joint_limits(self.task.arm)
         return min((q for q in found if q is not None),
@@ -157,7 +152,7 @@ class Walk:
             found = self.branch.nudged(s, q, to)
         if found is None:
             return False
-        step, off = (float(np.abs(gap * self.branch.scale).max())
+        step, off = (float(np.abs(gap).max())
                      for gap in (found - q, found - foreseen))
         longest, agreed = (LEAP, LEAP) if slope is None else (TURN, AGREED * step + SLACK)
         if step > longest or off > agreed:

@@ -3,7 +3,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
-from math import degrees
+from math import degrees, floor, log10
 
 import numpy as np
 
@@ -100,7 +100,19 @@ def breaches(arm: Arm, t: np.ndarray, samples: Sequence[np.ndarray], series: Ser
                 start = t[0] if first == 0 else _edge(breaks, t[first], t[first - 1])
                 end = t[-1] if last == len(t) - 1 else _edge(breaks, t[last], t[last + 1])
                 worst = values[run][bound.beyond(values[run]).argmax()]
-                yield _breach(arm.joints[bound.joint], arm.unit, bound, (start, end), worst)
+                yield _breach(arm.joints[bound.joint], arm.unit, bound, (start, end), worst, t[-1])
+
+
+def brief(value: float, whole: float, digits: int = 3) -> str:
+    """A number in a few digits, and no more of them than are seen beside what it is a part of.
+
+    Examples
+    --------
+    >>> brief(1.2345e-05, 2), brief(-4e-9, 1), brief(0.21132, 1), brief(1234.5, 3600)
+    ('0', '0', '0.211', '1230')
+    """
+    rounded = float(f"{round(value, digits - floor(log10(whole))):.{digits}g}")
+    return f"{rounded + 0.0:g}"
 
 
 def _edge(breaks: Callable[[float], bool], inside: float, outside: float) -> float:
@@ -111,12 +123,12 @@ def _edge(breaks: Callable[[float], bool], inside: float, outside: float) -> flo
     return inside
 
 
-def _breach(link: Link, unit: str, bound: Bound, times: tuple[float, float], worst: float
-            ) -> Breach:
+def _breach(link: Link, unit: str, bound: Bound, times: tuple[float, float], worst: float,
+            duration: float) -> Breach:
     kind = (LIMIT, SPEED, ACCELERATION)[bound.order]
     size = degrees(bound.limit) if link.kind == REVOLUTE else bound.limit
     of = "deg" if link.kind == REVOLUTE else unit
     text = (f"joint {bound.joint + 1} {_SAYS[kind]} {size:.4g} {of}{_PER[kind]} "
-            f"from {times[0]:.3g} s to {times[1]:.3g} s")
+            f"from {brief(times[0], duration)} s to {brief(times[1], duration)} s")
     return Breach(bound.joint + 1, kind, float(times[0]), float(times[1]),
                   float(worst if bound.way else abs(worst)), bound.limit, text)

@@ -7,8 +7,7 @@ from typing import Any
 import numpy as np
 
 from ..arms.arm import Arm
-from ..arms.joints import given_joints
-from .path import Path, States, sample_times
+from .path import Path, States, given_pose, sample_times
 from .profiles import RAMP, Profile, given_duration, given_profile
 
 
@@ -20,6 +19,9 @@ class _Straight:
     way: np.ndarray
     duration: float
     profile: Profile
+
+    def joints(self, times: np.ndarray) -> np.ndarray:
+        return self.states(times)[0]
 
     def states(self, times: np.ndarray) -> States:
         s, ds, dds = (part[:, None] for part in self.profile.curve(times / self.duration))
@@ -66,11 +68,7 @@ def joint_path(arm: Arm, q0: Any, q1: Any, duration: float, profile: str = "quin
     >>> joint_path(arm, [0], [1], duration=1, profile="cubic").broken[0].text
     'joint 1 is faster than 57.3 deg/s from 0.211 s to 0.789 s'
     """
-    start, end = (given_joints(arm, q, name) for q, name in ((q0, "q0"), (q1, "q1")))
-    for name, q in (("q0", start), ("q1", end)):
-        if q.ndim != 1:
-            raise ValueError(f"{name}: expected one pose, shape ({arm.n},), got {q.shape}; "
-                             "give one value per joint")
+    start, end = given_pose(arm, q0, "q0"), given_pose(arm, q1, "q1")
     duration, chosen = given_duration(duration), given_profile(profile, ramp)
     motion, t = _Straight(start, end - start, duration, chosen), sample_times(duration, chosen)
     return Path(arm, chosen.name, duration, t, *motion.states(t), motion)

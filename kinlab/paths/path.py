@@ -10,6 +10,7 @@ import numpy as np
 
 from ..arms import files, inputs
 from ..arms.arm import Arm
+from ..arms.joints import given_joints
 from ..arms.kinematics import jacobian, tool_poses
 from .breaches import Breach, breaches
 from .profiles import Profile
@@ -23,6 +24,7 @@ States = tuple[np.ndarray, np.ndarray, np.ndarray]  # q, rates and accelerations
 class Motion(Protocol):
     """What a path follows."""
 
+    def joints(self, times: np.ndarray) -> np.ndarray: ...
     def states(self, times: np.ndarray) -> States: ...
 
 
@@ -114,7 +116,7 @@ class Path:
         if times.ndim > 1 or np.any((times < 0) | (times > self.duration)):
             raise ValueError(f"time: expected seconds from 0 to {self.duration:g}, "
                              f"got {inputs.brief(time)}")
-        q = self._motion.states(np.atleast_1d(times))[0]
+        q = self._motion.joints(np.atleast_1d(times))
         return q if times.ndim else q[0]
 
     def save_csv(self, path: str | os.PathLike) -> Any:
@@ -145,6 +147,15 @@ class Path:
         who = self.arm.name or "an arm"
         kept = "; ".join(map(str, self.broken)) or "keeps within the limits"
         return f"Path of {who}: {self.duration:g} s, {self.profile}, {kept}"
+
+
+def given_pose(arm: Arm, q: Any, name: str) -> np.ndarray:
+    """Joint values at an end of a path, checked, shape (n,)."""
+    q = given_joints(arm, q, name)
+    if q.ndim != 1:
+        raise ValueError(f"{name}: expected one pose, shape ({arm.n},), got {q.shape}; "
+                         "give one value per joint")
+    return q
 
 
 def sample_times(duration: float, profile: Profile) -> np.ndarray:

@@ -3,6 +3,8 @@ import numpy as np
 import pytest
 
 import kinlab as kl
+from kinlab.paths.along import Along
+from kinlab.paths.branch import Lost, Walk
 
 TWO = kl.robots.two_link()
 SIX = kl.robots.intelledex_660t()
@@ -174,3 +176,107 @@ def test_a_folded_arm_that_would_have_to_turn_at_once_is_told_so():
     arm = kl.Arm([kl.revolute(a=1), kl.revolute(a=1)], home=[0, 1])
     with pytest.raises(ValueError, match="needs a jump of the joints at 0% of its way"):
         kl.straight_path(arm, [0, 0, 0], [-1.2, 0.1, 0], 2, q0=[-1.487655, np.pi])
+
+
+# ---- units, locks, first postures ----
+
+RAIL = [kl.prismatic(alpha=np.pi / 2, limits=(-1000, 1000)), kl.revolute(a=400), kl.revolute(a=300)]
+
+
+def point(arm, q):
+    return kl.forward_kinematics(arm, q)[:3, 3]
+
+
+def test_of_many_ways_that_is_taken_on_which_joints_move_least():
+    """A slide on a rail in mm, beside radians: its reach is 1000 + 400 + 300 mm."""
+    arm, unit = kl.Arm(RAIL, unit="mm"), np.array([1700, 1, 1])
+    q0, q1 = [100, 0.3, 0.8], [300, 0.6, 0.5]
+    path = kl.straight_path(arm, point(arm, q0), point(arm, q1), 2, q0=q0)
+    assert len(path.t) == 123
+    for q, rates in zip(path.q[10:-10:20], path.rates[10:-10:20]):
+        others = np.linalg.svd(kl.jacobian(arm, q)[:3] * unit)[2][-1]  # the tip stays
+        assert np.abs(kl.jacobian(arm, q)[:3] @ (unit * others)).max() < 1e-9
+        assert np.dot(rates / unit, others) == pytest.approx(0, abs=1e-9)
+
+
+def test_slides_without_an_end_have_finite_rates_in_every_unit():
+    half, states = np.pi / 2, []
+    for size in (1, 1000):
+        arm = kl.Arm([kl.revolute(d=0.412 * size, alpha=-half), kl.revolute(
+            d=0.154 * size, alpha=half), kl.prismatic(), kl.revolute(alpha=-half),
+            kl.revolute(alpha=half), kl.revolute(d=0.263 * size)])
+        poses = [kl.forward_kinematics(arm, q) for q in (
+            [0, 1.3, 0.6 * size, 0.3, 0.8, 0], [0.6, 1.1, 0.8 * size, -0.2, 1, 0.4])]
+        path = kl.straight_path(arm, *poses, 2, q0=[0, 1.3, 0.6 * size, 0.3, 0.8, 0])
+        assert np.isfinite(path.accelerations).all() and not path.rates[[0, -1]].any()
+        states.append(path.accelerations / [1, 1, size, 1, 1, 1])
+    assert states[0] == pytest.approx(states[1], abs=1e-6)
+
+
+@pytest.mark.parametrize("lock, first", [
+    (kl.revolute(a=1, limits=(0.3, 0.3)), kl.fixed(a=1, theta=0.3)),
+    (kl.revolute(a=1, limits=(0.3, 0.3), flip=True), kl.fixed(a=1, theta=-0.3)),
+    (kl.prismatic(a=1, d=0.1, limits=(0.2, 0.2), flip=True), kl.fixed(a=1, d=-0.1)),
+])
+def test_a_lock_is_a_row_without_a_joint(lock, first):
+    links = [kl.revolute(a=1), kl.revolute(a=0.5)]
+    arm, bare = kl.Arm([lock, *links]), kl.Arm([first, *links])
+    start, end = point(bare, [0.5, 0.5]), point(bare, [0.9, 0.3])
+    path = kl.straight_path(arm, start, end, 1, q0=[lock.limits[0], 0.5, 0.5])
+    same = kl.straight_path(bare, start, end, 1, q0=[0.5, 0.5])
+    assert np.all(path.q[:, 0] == lock.limits[0]) and not path.rates[:, 0].any()
+    assert path.q[:, 1:] == pytest.approx(same.q) and path.t == pytest.approx(same.t)
+    assert path.rates[:, 1:] == pytest.approx(same.rates)
+
+
+def test_an_arm_of_locks_stays_where_it_is():
+    arm = kl.Arm([kl.revolute(a=1, limits=(0.5, 0.5)), kl.prismatic(limits=(1, 1))])
+    here = point(arm, [0.5, 1])
+    assert kl.straight_path(arm, here, here, 1).q[-1].tolist() == [0.5, 1]
+    with pytest.raises(ValueError, match="leaves it at 0% of its way"):
+        kl.straight_path(arm, here, here + [0, 0, 0.1], 1)
+
+
+@pytest.mark.parametrize("T0, T1, name", [([1, 1, 0], [1, 1, 0.5], "T1"),
+                                          ([1, 1, 0.5], [1, 1, 0.5], "T0")])
+def test_a_place_beside_the_plane_of_an_arm_is_refused(T0, T1, name):
+    with pytest.raises(ValueError, match=f"^{name}: expected a place in the plane in which this "
+                                         "arm moves, z = 0, got z = 0.5; write z = 0, or leave z"):
+        kl.straight_path(TWO, T0, T1, 1)
+    assert kl.straight_path(TWO, T0, T1, 1, weights=[1, 1, 0]).tip[-1] == pytest.approx([1, 1, 0])
+
+
+def test_a_turn_that_cannot_be_followed_is_refused():
+    T = kl.forward_kinematics(TWO, [0.3, 0.8])
+    with pytest.raises(ValueError, match=r"2 joints do not reach every pose, leave a direction "
+                                         r"free by weights\); hand over the tool points alone"):
+        kl.straight_path(TWO, T, kl.translation([0.1, 0.2, 0]) @ T, 1)
+    three = kl.Arm([kl.revolute(a=1), kl.revolute(a=1), kl.revolute(a=0.5)])
+    poses = [kl.forward_kinematics(three, q) for q in ([0, 0.5, 0.5], [0.2, 0.6, 0])]
+    path = kl.straight_path(three, *poses, 1, q0=[0, 0.5, 0.5])
+    assert path.q[-1] == pytest.approx([0.2, 0.6, 0])
+    tilted = poses[1].copy()
+    tilted[:3, :3] = tilted[:3, :3] @ kl.rotation_x(0.1)
+    with pytest.raises(ValueError, match="expected a line within reach"):
+        kl.straight_path(three, poses[0], tilted, 1)
+
+
+def test_a_first_posture_beyond_a_limit_is_kept_and_marked():
+    arm = kl.Arm([kl.revolute(a=1, limits=(-1, 1)), kl.revolute(a=1, limits=(-2.5, 2.5))])
+    path = kl.straight_path(arm, point(arm, [1.2, -0.8]), [1.2, 0.5, 0], 1, q0=[1.2, -0.8])
+    assert path.q[0] == pytest.approx([1.2, -0.8], abs=1e-12)
+    assert (path.broken[0].joint, path.broken[0].kind, path.broken[0].start) == (1, "limit", 0)
+    other = kl.straight_path(arm, point(arm, [1.2, -0.8]), [1.2, 0.5, 0], 1)
+    assert other.q[0] == pytest.approx([0.4, 0.8], abs=1e-9) and not other.broken
+
+
+def test_a_time_has_joint_values_where_no_step_leads_there(monkeypatch):
+    path = kl.straight_path(TWO, [1.5, 0.5, 0], [0.5, 1.5, 0], 2)
+    monkeypatch.setattr(Walk, "on", lost)
+    monkeypatch.setattr(Along, "_regular", None)  # rates are not worked out for that
+    middle = path.at((path.t[40] + path.t[41]) / 2)
+    assert middle == pytest.approx((path.q[40] + path.q[41]) / 2)
+
+
+def lost(*_):
+    raise Lost(0.0)
