@@ -64,6 +64,7 @@ VIEWS = {robot.__name__: lambda robot=robot: kl.ArmView(
     "attitude": LESSONS.turns.attitude_view,
     "gimbal": LESSONS.turns.gimbal_view,
     "one axis": LESSONS.turns.axis_view,
+    "dots": LESSONS.motion.dots_view,
     "race": LESSONS.motion.race_view,
     "target": lambda: kl.TargetView(kl.robots.alpha_ii()),
     "velocity": lambda: kl.velocity_view(kl.robots.intelledex_660t()),

@@ -382,7 +382,7 @@ def _short(value: float) -> str:
 
 
 def _suffix(unit: str) -> str:
-    return unit if unit in ("", "°") else f" {unit}"
+    return unit if unit[:1] in ("", "°") else f" {unit}"
 
 
 def _stopped(text: str) -> str:

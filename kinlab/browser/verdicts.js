@@ -12,7 +12,7 @@ export const brief = (value) =>
   String(Number(Number((value * (1 + 1e-12)).toFixed(4)).toPrecision(4)) + 0).replace("-", "−");
 
 /** @type {(unit: string) => string} */
-const behind = (unit) => !unit || unit === "°" ? unit : ` ${unit}`;
+const behind = (unit) => !unit || unit.startsWith("°") ? unit : ` ${unit}`;
 
 /**
  * How much an answer is more than the right one; with a turn, the short way round.

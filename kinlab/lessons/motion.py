@@ -13,9 +13,9 @@ from ..arms.arm import Arm
 from ..arms.link import revolute
 from ..paths.straight import straight_path
 from .asked.motion import PREDICTIONS
-from .views.motion import race_view
+from .views.motion import dots_view, race_view
 
-__all__ = ["JUDGES", "PREDICTIONS", "race_view"]
+__all__ = ["JUDGES", "PREDICTIONS", "dots_view", "race_view"]
 
 # ---- Exercise 1: the cubic from rest to rest ----------------------------------------------
 
@@ -209,10 +209,14 @@ def _factor(of: Callable[[np.ndarray, np.ndarray], float]) -> Callable:
 _slower = _factor(lambda fast, hard: max(1.0, fast.max(), hard.max()**0.5))
 
 
-def _without_signs(rates: np.ndarray, accelerations: np.ndarray, speed: np.ndarray,
-                   acceleration: np.ndarray) -> float:
-    fast = (np.asarray(rates) / speed).max()
-    return float(max(1.0, fast, (np.asarray(accelerations) / acceleration).max()**0.5))
+def _signed(fast_of: Callable = np.abs, hard_of: Callable = np.abs, least: float = 1.0) -> Callable:
+    """As if rates or accelerations had no sign that counts, or as if they had: by np.abs or not."""
+    def factor(rates: np.ndarray, accelerations: np.ndarray, speed: np.ndarray,
+               acceleration: np.ndarray) -> float:
+        fast = (fast_of(rates) / np.asarray(speed)).max()
+        hard = (hard_of(accelerations) / np.asarray(acceleration)).max()
+        return float(max(least, fast, hard**0.5))
+    return factor
 
 
 def _over_all(rates: np.ndarray, accelerations: np.ndarray, speed: np.ndarray,
@@ -229,10 +233,14 @@ _SLOWER_CASES = [
         ([[0, 0], [1.2, -3], [0, 0]], [[4, -10], [0, 0], [-4, 10]], [1, 2], [2, 4]),
         ([[0, 0], [-3.5, 1], [0, 0]], [[-3, 2], [0, 0], [3, -2]], [1.4, 3], [2, 5]),
         ([[0, 0], [0.5, 0.8], [0, 0]], [[1, 2], [0, 0], [-1, -2]], [1, 2], [4, 4]),
-        ([[0, 0], [1, -2], [0, 0]], [[2, -5], [0, 0], [-18, 5]], [2, 2], [2, 6]))]
+        ([[0, 0], [1, -2], [0, 0]], [[2, -5], [0, 0], [-18, 5]], [2, 2], [2, 6]),
+        ([[0, 0], [2.4, 1], [0, 0]], [[2, 1], [0, 0], [-2, -1]], [1, 2], [4, 4]))]
 
 _NO_HARD = "Only the rates are looked at. Accelerations have limits as well."
 _NO_FAST = "Only the accelerations are looked at. Rates have limits as well."
+_BACKWARDS = "A joint that turns backwards has a negative rate: take np.abs of the rates first."
+_BRAKING = ("A joint that slows down has a negative acceleration: take np.abs of the accelerations "
+            "first.")
 _SLOWER_SLIPS = [
     ("Accelerations fall with the square of k, so k is the root of what is too much.",
      _factor(lambda fast, hard: max(1.0, fast.max(), hard.max()))),
@@ -246,7 +254,11 @@ _SLOWER_SLIPS = [
      _factor(lambda fast, hard: max(1.0, min(fast.max(), hard.max()**0.5)))),
     ("A motion within its limits need not be slower: k is 1 at least.",
      _factor(lambda fast, hard: max(fast.max(), hard.max()**0.5))),
-    ("A joint that turns backwards has a negative rate: take np.abs first.", _without_signs),
+    (_BACKWARDS, _signed(np.asarray, np.asarray)),
+    (_BACKWARDS, _signed(fast_of=np.asarray)),
+    (_BACKWARDS, _signed(fast_of=np.asarray, least=0.0)),
+    (_BRAKING, _signed(hard_of=np.asarray)),
+    (_BRAKING, _signed(hard_of=np.asarray, least=0.0)),
     ("Each joint has limits of its own: divide first, then take the largest.", _over_all),
     ("That is 1 / k: the motion is to become slower.",
      _factor(lambda fast, hard: 1 / max(1.0, fast.max(), hard.max()**0.5))),
@@ -260,12 +272,17 @@ _SLOWER_SLIPS = [
 
 _START, _END = np.array([1.2, 0.1, 0.0]), np.array([-1.2, 0.1, 0.0])  # m
 _MOST, _EACH = 2.0, 2.0                                               # rad/s; s for each line
+_REACH = 2.0                                                          # m
 _MOTORS = Arm([revolute(a=1, speed=_MOST), revolute(a=1, speed=_MOST)], home=[0, 1])
 
 
 def _in_reach(via: np.ndarray) -> str:
     far = float(np.hypot(*via))
-    return "" if far < 2 else f"The point is {far:.3g} m from the base; the arm reaches 2 m."
+    if abs(far - _REACH) < 5e-4:
+        return ("The point is as far from the base as the arm reaches, 2 m. There the arm is "
+                "stretched, and that is singular: joint 2 cannot keep to its limit.")
+    return "" if far < _REACH else (f"The point is {far:.3g} m from the base; the arm reaches "
+                                    f"{_REACH:g} m.")
 
 
 def _slow_enough(via: np.ndarray) -> str:

@@ -1,8 +1,13 @@
 """What the view of lesson 12 draws is what the textbooks' profiles say."""
+import warnings
+from pathlib import Path
+
+import nbformat
 import numpy as np
 import pytest
 
 import kinlab as kl
+from kinlab.course.notebooks import FOLDER
 
 # Part of the way that is gone at a quarter of the time, at a half and at three quarters.
 # Cubic: 3/16 - 2/64. Quintic: 10/64 - 15/256 + 6/1024. Trapezoidal, a third of the time to speed
@@ -79,3 +84,83 @@ def test_it_is_played_in_its_own_second(view):
     times, stops = view._scene.timed.times, [stop for stop, in view._scene.poses]
     assert (times[0], times[60], times[-1]) == pytest.approx((0, 0.5, 1))
     assert (stops[0], stops[5], stops[-1]) == pytest.approx((0, 0.5, 1))
+
+
+# ---- a robot of one's own: the lesson's cells, with another file ------------------------------
+
+PUBLIC = Path(__file__).parents[1] / "urdf" / "public"
+LESSON = nbformat.read(FOLDER / "12_motion_in_time.ipynb", as_version=4)
+OTHERS = {"q_start = np.radians([0, -90, -90, -90, 90, 0])": "q_start = robot.home + 0.9",
+          "way = np.array([0, 0.4, 0])": "way = -0.2 * start[:3, 3]"}  # as the lesson's text says
+
+
+def cell(name):
+    return next(one.source for one in LESSON.cells if one.id == name)
+
+
+@pytest.mark.filterwarnings("ignore::kinlab.arms.inputs.Note")
+@pytest.mark.parametrize("name, tip", [
+    ("al5d", "link4"), ("so100", "jaw"), ("irb140", "tool0"), ("panda", "panda_hand"),
+    ("pr2", "r_gripper_tool_frame")])
+def test_its_cells_move_other_robots_by_the_numbers_that_it_names(name, tip):
+    assert all(words in cell("own-line-text") for words in OTHERS.values())
+    source = cell("own-line")
+    for own, other in OTHERS.items():
+        assert own in source
+        source = source.replace(own, other)
+    moves(source, kl.from_urdf(PUBLIC / f"{name}.urdf", tip=tip))
+
+
+def test_they_move_an_arm_that_cannot_hold_its_tool():
+    source = cell("own-line")
+    for own, other in OTHERS.items():
+        source = source.replace(own, other)
+    moves(source, kl.robots.exam_2018())
+
+
+def moves(source, robot):
+    path = run(source, robot=robot)["aside"]
+    there = kl.forward_kinematics(robot, path.q[[0, -1]])[:, :3, 3]
+    np.testing.assert_allclose(there[1], 0.8 * there[0], atol=1e-6)
+
+
+def run(source, **names):
+    scope = {"kl": kl, "np": np, **names}
+    exec(source, scope)
+    return scope
+
+
+def test_it_hears_all_that_is_said_of_a_file_but_of_its_frames(tmp_path):
+    """A file whose angles are degrees, and whose joint cannot move."""
+    (tmp_path / "robot.urdf").write_text('''<robot name="R"> <link name="a"/> <link name="b"/>
+      <link name="c"/> <joint name="one" type="revolute"> <parent link="a"/> <child link="b"/>
+        <origin xyz="1 0 0" rpy="90 0 0"/> <axis xyz="0 1 0"/> <limit effort="1" velocity="1"/>
+      </joint> <joint name="two" type="revolute"> <parent link="b"/> <child link="c"/>
+        <origin xyz="0 1 0"/> <axis xyz="1 0 0"/> <limit lower="-1" upper="1"/> </joint>
+      </robot>''', encoding="utf-8")
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always")
+        kl.from_urdf(tmp_path / "robot.urdf")
+    every = [str(one.message) for one in caught]
+    assert any("kl.urdf_frames" in said for said in every) and len(every) > 1
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always")
+        run(cell("own-read"), folder=tmp_path)
+    heard = [str(one.message) for one in caught]
+    assert heard == [said for said in every if "kl.urdf_frames" not in said]
+    assert any("cannot move" in said for said in heard)
+
+
+# ---- no answer before its question -------------------------------------------------------------
+
+
+def place(name):
+    return [one.id for one in LESSON.cells].index(name)
+
+
+def test_the_charts_come_after_the_questions_that_they_answer(view):
+    asked = ("quarter-predict", "peak-predict", "hard-predict", "price-predict", "whole-predict")
+    assert max(map(place, asked)) < place("race")
+    dots = kl.predict("motion.quarter")
+    assert not {item.gid for item in dots._scene.items if "rate (" in item.gid}
+    assert {item.gid for item in view._scene.items if "rate (" in item.gid}

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from ...answers.prediction import Asked, Choice, Mark, Number
 from ...arms import robots
 from ...views.arm_view import ArmView
-from ..views.motion import race_view
+from ..views.motion import dots_view
 
 
 def _two_links() -> ArmView:
@@ -57,10 +57,10 @@ _ELBOW = Choice(
 # ---- Section 2: the cubic ---------------------------------------------------------------
 
 _JUMP = Choice(
-    ask="A joint is at rest. From now on it is to turn by 0.5 rad/s. Which acceleration does "
+    ask="A joint is at rest. From now on it is to turn at 0.5 rad/s. Which acceleration does "
         "the first instant ask for?",
     why="The rate is to jump from 0 to 0.5 rad/s in no time. 0.5 divided by no time is beyond any "
-        "motor; what comes is a jerk through gears and tool.",
+        "motor; what comes is a knock through gears and tool.",
     options={"none, since the rate is constant": "It is constant afterwards. Before it was zero.",
              "0.5 rad/s²": "With it the joint needs a second to get to its rate.",
              "more than any motor has": ""},
@@ -179,9 +179,11 @@ _BETWEEN = Choice(
 # ---- Section 5: slower ------------------------------------------------------------------
 
 _HALVES = Choice(
-    ask="The same motion is to take half the time. What becomes of all rates and accelerations?",
-    why="Each derivative with respect to time brings a factor 1 / T: rates are doubled, and "
-        "accelerations, of two derivatives, are four times as large.",
+    ask="The tip is to go along the same line in half the time. The joints follow by inverse "
+        "kinematics. What becomes of their largest rates and accelerations?",
+    why="The joints go through the same values, only in half the time: on a line, too, q depends "
+        "on t / T. So rates are doubled, and accelerations, of two derivatives, are four times as "
+        "large.",
     options={"both are doubled": "An acceleration is a change of rate in a time: the change is "
              "doubled, and the time is halved.",
              "rates are doubled, accelerations are four times as large": "",
@@ -213,7 +215,7 @@ PREDICTIONS: dict[str, Asked] = {
     "motion.middle": Asked(_traced, _MIDDLE),
     "motion.elbow": Asked(_two_links, [_ELBOW]),
     "motion.jump": Asked(None, [_JUMP]),
-    "motion.quarter": Asked(race_view, _QUARTER),
+    "motion.quarter": Asked(dots_view, _QUARTER),
     "motion.peak": Asked(None, _PEAK),
     "motion.hard": Asked(None, [_HARD]),
     "motion.price": Asked(None, [_PRICE]),

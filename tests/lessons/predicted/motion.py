@@ -45,7 +45,8 @@ PREDICTED = {
         Held([0.15625, 0.38, 0], [((0.25, 0.38, 0), "constant rate"), ((0.5, 0.38, 0), "away")]),
         Held([0.103515625, 0.26, 0],
              [((0.25, 0.26, 0), "constant rate"), ((0.2, 0.26, 0), "away")])],
-    "motion.peak": [Held(67.5, [(45, "the average"), (90, "straight lines")]),
+    "motion.peak": [Held(67.5, [(45, "You said 45°/s, 22.5°/s too little. That is the average"),
+                                (90, "straight lines")]),
                     Held(0.3, [(0.2, "the average"), (0.4, "straight lines")])],
     "motion.hard": [Held("at both ends", [
         ("in the middle, where it is fastest", "slope is zero"),

@@ -156,6 +156,17 @@ WRONG = [
     ("motion.4", lambda rates, accelerations, speed, acceleration: max(
         1, (rates / speed).max(), (accelerations / acceleration).max()**0.5), "np.abs"),
     ("motion.4", lambda rates, accelerations, speed, acceleration: max(
+        1, (rates / speed).max(), (abs(accelerations) / acceleration).max()**0.5),
+     "np.abs of the rates"),
+    ("motion.4", lambda rates, accelerations, speed, acceleration: max(
+        (rates / speed).max(), (abs(accelerations) / acceleration).max()**0.5),
+     "np.abs of the rates"),
+    ("motion.4", lambda rates, accelerations, speed, acceleration: max(
+        1, (abs(rates) / speed).max(), (accelerations / acceleration).max()**0.5),
+     "np.abs of the accelerations"),
+    ("motion.4", lambda rates, accelerations, speed, acceleration: max(
+        1, abs((rates / speed).max()), abs((accelerations / acceleration).max())**0.5), "np.abs"),
+    ("motion.4", lambda rates, accelerations, speed, acceleration: max(
         1, abs(rates).max() / max(speed), (abs(accelerations).max() / max(acceleration))**0.5),
      "divide first"),
     ("motion.4", ratios(lambda fast, hard: 1 / max(1, fast, hard**0.5)), "1 / k"),
@@ -171,6 +182,8 @@ WRONG = [
     ("motion.5", (0.5, 1), "much longer"),
     ("motion.5", (0, 1.8), "So far out"),
     ("motion.5", (0, 2.5), "2.5 m from the base"),
+    ("motion.5", (0, 2), "stretched, and that is singular"),
+    ("motion.5", (1.2, 1.6), "stretched, and that is singular"),
     ("motion.5", (1.2, 0.1), "at one end of the way"),
     ("motion.5", (0, 0), "cannot go on"),
     ("motion.5", (0, 1, 0), "two numbers"),
