@@ -26,7 +26,7 @@ KINDS = {"spatial": lambda: kl.ArmView(ALPHA(), closed_form=True),
          "number": lambda: prediction("number"), "choice": lambda: prediction("choice"),
          "mark": lambda: prediction("mark"), "signs": lambda: prediction("signs")} | {
     kind: VIEWS[kind] for kind in (
-        "solve", "velocity", "stages", "all frames", "limits", "parameters")}
+        "solve", "velocity", "stages", "all frames", "limits", "parameters", "path", "gimbal")}
 ALL = VIEWS | {"exam": kl.lessons.dh_practice.exam_view}
 FIELDS = """() => [...document.querySelectorAll('.kl-field')]
     .filter(field => field.checkVisibility()).map(field => Number(field.value))"""
