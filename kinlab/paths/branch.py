@@ -21,7 +21,9 @@ from ..ik import single
 from ..ik.task import Task
 from .line import Line
 
-SINGULAR = 1e-5  # smallest over largest singular value: there dq/ds is 1e-3 off, and soon no number
+SINGULAR = 1e-5  # smallest over largest singular value: no step follows dq/ds from there
+UNSURE = 1e-13   # weighted error that a posture on the line may have
+OFF = 1e-3       # of dq/ds: by so much it may be wrong
 RANK = 1e-9      # times the largest singular value: less is zero for any arm like this
 CLOSE = 1e-9     # weighted error of a posture that is on the line
 TURN = 0.08      # rad between postures: half a pixel of a picture's arm that is drawn straight
@@ -68,13 +70,28 @@ class Branch:
         """dq/ds (m, n) at places on the line, and how far each is from a singular one (m,): its
         smallest singular value over its largest. Of many dq/ds it is the shortest.
         """
+        slopes, ratios, _ = self._solved(shares, joints)
+        return slopes, ratios
+
+    def sure(self, shares: np.ndarray, joints: np.ndarray) -> np.ndarray:
+        """Where dq/ds is known (m,). Beside a singular place a posture is known to `UNSURE` over
+        the smallest singular value; there dq/ds is known if it is the same so far away.
+        """
+        slopes, ratios, idle = self._solved(shares, joints)
+        moved = self._solved(shares, joints + UNSURE / np.maximum(ratios, RANK)[:, None] * idle)[0]
+        off = np.linalg.norm(moved - slopes, axis=1)
+        return (ratios > RANK) & (off <= OFF * np.linalg.norm(slopes, axis=1) + UNSURE)
+
+    def _solved(self, shares: np.ndarray, joints: np.ndarray
+                ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        """dq/ds, the ratios, and the directions of joints that move the tool least."""
         pulls = [self.task.pull(*self._seen(s, q)) for s, q in zip(shares.tolist(), joints)]
         U, sizes, Vt = np.linalg.svd(np.array([J for J, _ in pulls]), full_matrices=False)
         U, sizes, Vt = U[..., :self.rank], sizes[:, :self.rank], Vt[:, :self.rank]
         drift = np.einsum("mkr,mr->mk", Vt, np.array([d for _, d in pulls]))
         least = np.maximum(RANK * sizes[:, :1], 1e-300)
-        return -np.einsum("mnk,mk->mn", U, drift / np.maximum(sizes, least)), (
-            sizes[:, -1] / np.maximum(sizes[:, 0], 1e-300))
+        return (-np.einsum("mnk,mk->mn", U, drift / np.maximum(sizes, least)),
+                sizes[:, -1] / np.maximum(sizes[:, 0], 1e-300), U[..., -1])
 
     def slope(self, s: float, q: np.ndarray, other: Slope) -> Slope:
         """dq/ds at one place, or `other` at a singular one."""

@@ -93,6 +93,16 @@ def test_close_to_a_singular_place_the_branch_is_kept_and_the_rates_are_told():
     assert np.abs(np.diff(path.q, axis=0)).max() < 0.0801
 
 
+@pytest.mark.parametrize("beside", (1e-5, 1e-6))
+def test_a_hair_beside_the_base_the_rates_are_finite_and_true(beside):
+    path = kl.straight_path(TWO, [1, beside, 0], [-1, beside, 0], 2)
+    assert np.abs(path.rates[:, 0]).max() == pytest.approx(1.875 / beside, rel=1e-3)
+    assert np.isfinite(path.accelerations).all()
+    middle = int(np.flatnonzero(path.t == 1)[0])
+    assert np.abs(path.accelerations[middle - 20:middle + 20]).max() == pytest.approx(
+        3 * np.sqrt(3) / 8 * (1.875 / beside)**2, rel=0.02)  # of arctan(v t / beside)
+
+
 def test_through_a_singular_place_it_goes_on_evenly():
     """Right through the base the elbow passes 180 degrees, at twice the rate of the shoulder."""
     path = kl.straight_path(TWO, [1, 0, 0], [-1, 0, 0], 2, q0=[np.pi / 3, -2 * np.pi / 3])
