@@ -461,3 +461,19 @@ def test_nothing_lies_over_anything_else(live, width):
             assert min(across, down) <= 1
 
 
+
+
+def test_a_view_in_a_notebook_has_no_scrollbar(notebook):
+    """A pixel too much is enough for one, and the first turn of the wheel would go into it."""
+    page = notebook("import kinlab as kl\nkl.ArmView(kl.robots.two_link())")
+    view = page.locator(".jp-Notebook:visible .kl-view")
+    view.locator("svg").first.wait_for()
+    size = page.viewport_size
+    try:
+        for width in (1300, 1366, 1500, 1920):
+            page.set_viewport_size({"width": width, "height": 800})
+            settle(page)
+            assert view.evaluate("""node => node.closest('.jp-OutputArea-output').scrollHeight
+                - node.closest('.jp-OutputArea-output').clientHeight""") == 0
+    finally:
+        page.set_viewport_size(size)
