@@ -35,5 +35,5 @@ def as_csv(arm: Arm, t: np.ndarray, series: Sequence[np.ndarray]) -> str:
     writer = csv.writer(text, lineterminator="\n")
     writer.writerow(headings(arm))
     for row in np.column_stack([t, *series]).tolist():
-        writer.writerow([f"{value:.10g}" for value in row])
+        writer.writerow([f"{value + 0.0:.10g}" for value in row])  # no -0
     return text.getvalue()

@@ -51,7 +51,9 @@ class End:
     @classmethod
     def of(cls, T: np.ndarray) -> End | None:
         """The frame of a matrix; None where it changes nothing."""
-        return None if np.array_equal(T, np.eye(4)) else cls(given=tuple(map(tuple, T.tolist())))
+        if np.array_equal(T, np.eye(4)):
+            return None
+        return cls(given=tuple(map(tuple, (T + 0.0).tolist())))  # no -0.0
 
     @classmethod
     def empty(cls, form: str) -> End:

@@ -127,6 +127,14 @@ def test_files_keep_what_was_typed():
     np.testing.assert_array_equal(from_code(to_code(right)).arm.tool, right.arm.tool)
 
 
+def test_no_file_has_a_zero_with_a_sign():
+    shifted = np.array([[1, 0, 0, -0.0], [0, 1, 0, -0.0], [-0.0, 0, 1, 2], [0, 0, 0, 1]])
+    table = DHTable.of(kl.Arm([kl.revolute(a=-0.0, theta=-0.0, alpha=-0.0, limits=(-0.0, 1))],
+                              base=shifted, tool=shifted, home=[-0.0]))
+    for text in (to_csv(table), to_code(table)):
+        assert "-0" not in text
+
+
 def test_a_frame_that_changes_nothing_is_none():
     assert End.of(np.eye(4)) is None
     assert pose_of(np.eye(4)) == dict.fromkeys(["x", "y", "z", "roll", "pitch", "yaw"], 0)

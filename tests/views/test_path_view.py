@@ -91,6 +91,15 @@ def test_the_table_has_each_sample_with_its_units(tmp_path):
                                     100 * np.sin(0.5), 45], abs=1e-6)
 
 
+def test_no_number_of_the_table_is_a_zero_with_a_sign(tmp_path):
+    """At rest, the rate of a joint that turns back is -0 times its way."""
+    path = kl.joint_path(kl.robots.two_link(), [0.5, 0], [-0.5, -1], 1)
+    assert np.signbit(path.rates[0]).any()
+    rows = path.save_csv(tmp_path / "a.csv").read_text().splitlines()[1:]
+    cells = {cell for row in rows for cell in row.split(",")}
+    assert "0" in cells and "-0" not in cells
+
+
 def test_a_unit_that_a_spreadsheet_would_run_is_text(tmp_path):
     arm = kl.Arm([kl.prismatic()], unit="=1+1")
     head = kl.joint_path(arm, [0], [1], 1).save_csv(tmp_path / "a.csv").read_text().splitlines()[0]
