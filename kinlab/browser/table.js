@@ -5,7 +5,7 @@
 import { lowered, make, write } from "./dom.js";
 import { rove } from "./roving.js";
 import { LETTERS, ends, newEnds } from "./table_ends.js";
-import { ask, choose, press, typed } from "./table_parts.js";
+import { ask, briefly, choose, commitTo, press, typed, untouched } from "./table_parts.js";
 import { takeTables } from "./table_paste.js";
 import { fill, store } from "./table_store.js";
 
@@ -237,14 +237,14 @@ export class Editor {
     const input = /** @type {Field} */ (this.find(at)), before = this.told[at];
     this.told[at] = { text, error, reads, hint };
     if (before?.text !== text && input.committed !== text) {
-      if (input.value === input.committed || input !== document.activeElement) input.value = text;
-      input.committed = text;
+      commitTo(input, text, input === document.activeElement && !untouched(input));
     }
     input.setAttribute("aria-invalid", String(Boolean(error)));
     input.classList.toggle("kl-odd", Boolean(hint));
     if (error || hint) input.setAttribute("aria-describedby", input.dataset.reason ?? "");
     else input.removeAttribute("aria-describedby");
-    input.title = error || hint || (reads ? `${text} = ${reads}` : "");
+    const whole = briefly(text) === text ? "" : text;
+    input.title = error || hint || (reads ? `${text} = ${reads}` : whole);
     const beside = input.nextElementSibling;
     if (beside?.classList.contains("kl-reads")) beside.textContent = reads ? `= ${reads}` : "";
   }

@@ -6,6 +6,8 @@ import { button, make } from "./dom.js";
 /** @import { Field } from "./types.js" */
 
 const LONGEST = 200;                                // characters in a cell
+const CELL_ROOM = 9;                                // of them are seen at once
+const EXPONENT = /^[-+]?([0-9]+\.?[0-9]*|\.[0-9]+)e[-+]?[0-9]{1,2}$/i;   // ends such a number
 
 /**
  * A list to choose from; `take` hears the choice.
@@ -35,6 +37,34 @@ export function press(text, title, action, extra = {}) {
 }
 
 /**
+ * What a cell shows while nobody types in it: of a long number with an exponent so few digits that
+ * the exponent is seen, too.
+ * @param {string} text
+ */
+export const briefly = (text) => (EXPONENT.test(text) && text.length > CELL_ROOM
+  ? Number(text).toExponential(2) : text);
+
+/**
+ * Whether a cell holds what was committed last.
+ * @param {Field} input
+ */
+export const untouched = (input) => input.value === cellText(input);
+
+/**
+ * Commit a text that comes from elsewhere, and show it if nobody has typed something else.
+ * @param {Field} input
+ * @param {string} text
+ * @param {boolean} keep what was typed
+ */
+export function commitTo(input, text, keep) {
+  input.committed = text;
+  if (!keep) input.value = cellText(input);
+}
+
+/** @type {(input: Field) => string} */
+const cellText = ({ committed = "", resting }) => (resting ? briefly(committed) : committed);
+
+/**
  * A cell of text that is sent when it is left or Enter is pressed; Escape takes it back.
  * @param {string} at
  * @param {string} label
@@ -45,9 +75,10 @@ export function typed(at, label, text, send) {
   /** @type {HTMLInputElement & Field} */
   const input = make("input", { type: "text", "data-at": at, "aria-label": label, class: "kl-cell",
                                 spellcheck: "false", autocomplete: "off", maxlength: LONGEST });
-  input.value = input.committed = text;
+  input.resting = true;
+  commitTo(input, text, false);
   const commit = () => {
-    if (input.value === input.committed) return;
+    if (untouched(input)) return;
     input.committed = input.value;
     send(input.value);
   };
@@ -56,7 +87,24 @@ export function typed(at, label, text, send) {
     if (event.key === "Enter") commit();
     if (event.key === "Escape") input.value = input.committed ?? text;
   });
+  input.addEventListener("focus", () => restCell(input, false));
+  input.addEventListener("blur", () => restCell(input, true));
   return input;
+}
+
+/**
+ * A cell that is left, or taken in hand: then all digits are there, and selected, as what was
+ * selected in the shorter text is gone.
+ * @param {HTMLInputElement & Field} input
+ * @param {boolean} resting
+ */
+function restCell(input, resting) {
+  const same = untouched(input);
+  input.resting = resting;
+  const text = cellText(input);
+  if (!same || input.value === text) return;        // the caret stays where it is
+  input.value = text;
+  if (!resting) input.select();
 }
 
 /**

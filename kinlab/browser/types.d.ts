@@ -447,5 +447,6 @@ export interface TableState {
   texts: Record<string, string>;
 }
 
-/** A field that remembers the text that Python knows. */
-export type Field = (HTMLInputElement | HTMLTextAreaElement) & { committed?: string };
+/** A field that remembers the text that Python knows, and whether nobody types in it. */
+export type Field = (HTMLInputElement | HTMLTextAreaElement) &
+  { committed?: string; resting?: boolean };

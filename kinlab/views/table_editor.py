@@ -77,6 +77,9 @@ class DHTableEditor(ArmView):
 
     A table that is pasted into any cell is loaded, as `load` does it.
 
+    `save_html` writes a page of the arm alone, without the table: it needs Python to be read. For
+    the table there are `to_csv`, `to_code`, `to_markdown` and `to_latex`.
+
     Parameters
     ----------
     arm : Arm, optional

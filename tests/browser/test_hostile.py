@@ -7,6 +7,7 @@ from xml.etree import ElementTree
 
 import nbformat
 import pytest
+from editing import shown_in
 from hostile import CONTROL, HIT, SEEN, TEXTS, in_one_line
 from reading import RESTED, settle
 
@@ -266,52 +267,10 @@ def test_python_reads_of_a_tampered_record_what_it_can(record):
 # ---- the table's editor, with Python behind it and no Jupyter ----
 
 
-EDIT = """([source, style, state]) => new Promise(done => {
-    const listeners = {};
-    const model = window.model = {
-        state,
-        get: name => model.state[name], set(name, value) { model.state[name] = value; },
-        on: (name, act) => (listeners[name] ??= []).push(act), off() {}, save_changes() {},
-        async send(message) {
-            const now = await window.python(message);
-            for (const [name, value] of Object.entries(now)) {
-                if (JSON.stringify(model.state[name]) === JSON.stringify(value)) continue;
-                model.state[name] = value;
-                (listeners[`change:${name}`] ?? []).forEach(act => act());
-            }
-        },
-    };
-    document.body.innerHTML = `<style>${style}</style><div id="editor"></div>`;
-    import(URL.createObjectURL(new Blob([source], {type: 'text/javascript'}))).then(module => {
-        module.default.render({model, el: document.getElementById('editor')});
-        done();
-    });
-})"""
-
-
 @pytest.fixture
 def edited(guarded):
     """A function that shows an editor, whose messages Python hears."""
-    held = {}
-
-    def state():
-        return {key: value for key, value in held["editor"].get_state().items()
-                if not key.startswith("_") and key not in ("layout", "tabbable", "tooltip")}
-
-    def python(message):
-        held["editor"]._hear(None, message, [])
-        return state()
-
-    guarded.expose_function("python", python)
-
-    def show(editor):
-        held["editor"] = editor
-        guarded.evaluate(EDIT, [bundle.module("host_table.js"),
-                                bundle.style("live.css", "table.css"), state()])
-        guarded.locator(".kl-dh").wait_for()
-        return guarded
-
-    return show
+    return shown_in(guarded)
 
 
 @every_text

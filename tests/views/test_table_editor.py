@@ -607,3 +607,11 @@ def test_base_and_tool_go_in_and_out_as_matrices():
     with pytest.raises(ValueError, match=r"^base\[:3, :3\]: expected a rotation"):
         editor.base = np.zeros((4, 4))
     assert np.array_equal(editor.base, np.eye(4))
+
+
+def test_a_page_has_the_arm_alone(tmp_path):
+    """Its docstring says so: nothing in a page could read what is typed."""
+    editor = kl.DHTableEditor(kl.robots.two_link())
+    assert "with_cell" in editor._esm  # what a cell sends
+    page = editor.save_html(tmp_path / "arm.html").read_text(encoding="utf-8")
+    assert "with_cell" not in page and "Two-link" in page
