@@ -17,7 +17,7 @@ from rjsmin import jsmin
 HERE = Path(__file__).parent
 _DARK = re.compile(r"\[data-jp-theme-light=\"false\"] (:is\(.*?\n\})", re.DOTALL)
 _REMARK = re.compile(r"/\*.*?\*/", re.DOTALL)
-_AIR = re.compile(r"\s*([{};,])\s*|(?<=:)\s+")  # in a style
+_AIR = re.compile(r"[\s;]*(\})\s*|\s*([{;,])\s*|(?<=:)\s+")  # in a style; no ; is needed before }
 _IMPORT = re.compile(r'^import \{([^}]*)\} from "\./([\w.]+)";\n', re.MULTILINE)
 # rjsmin would take the spaces out of a text in backquotes within another one.
 _NESTED = re.compile(r"`[^`]*\$\{[^}`]*`")
@@ -59,7 +59,7 @@ def page_style(*more: str) -> str:
     sheets = style("live.css", *more, "page.css")
     (inks,) = _DARK.findall(sheets)
     dark = f"\n@media screen and (prefers-color-scheme: dark) {{\n{inks}\n}}\n"
-    return _AIR.sub(r"\1", _REMARK.sub("", sheets + dark))
+    return _AIR.sub(r"\1\2", _REMARK.sub("", sheets + dark))
 
 
 def _joined(entry: str, folder: Path, without: Collection[str] = ()) -> str:
