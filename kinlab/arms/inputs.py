@@ -112,10 +112,10 @@ def positive(name: str, value: Any) -> float:
     return result
 
 
-def whole(name: str, value: Any, least: int) -> int:
-    """A whole number, not below the least and not beyond all use."""
-    if not isinstance(value, Integral) or not least <= int(value) <= MOST:
-        raise ValueError(f"{name}: expected a whole number from {least} to {MOST}, "
+def whole(name: str, value: Any, least: int, most: int = MOST) -> int:
+    """A whole number, not below the least and not beyond the most: that of all use."""
+    if not isinstance(value, Integral) or not least <= int(value) <= most:
+        raise ValueError(f"{name}: expected a whole number from {least} to {most}, "
                          f"got {brief(value)}")
     return int(value)
 

@@ -12,6 +12,7 @@ from . import worker
 from .paints import COLOURS
 from .scene import Scene
 
+MOST = 600            # pictures: a minute and more, which still fit into memory
 _COLOURS = 64         # besides those of quantities: a film of 3 s stays under 2 MB
 _FADES = (1.0, 0.66, 0.33)
 _TICK = 0.01          # s: a GIF counts hundredths
@@ -26,12 +27,16 @@ def gif(scene: Scene, preset: str, show: Sequence[str], end: float, *, fps: int,
     seconds, to a hundredth.
     """
     times = frame_times(end, fps)
-    pictures = []
+
+    def taken(time: float) -> Image.Image:
+        return _scaled(worker.png(scene, [time], preset, show), width)
+
+    palette, pictures = _palette(taken(times[0]), taken(times[-1])), []
     with ProgressBar("film") as done:
         for time in times:
-            pictures.append(_scaled(worker.png(scene, [time], preset, show), width))
+            pictures.append(taken(time).quantize(palette=palette, dither=Image.Dither.NONE))
             done(len(pictures), len(times))
-    first, *others = _alike(pictures)
+    first, *others = pictures
     film = io.BytesIO()
     first.save(film, "GIF", save_all=True, append_images=others, loop=0, optimize=False,
                duration=_durations(times))
@@ -55,18 +60,18 @@ def _scaled(png: bytes, width: int) -> Image.Image:
     return picture.resize((width, height), Image.Resampling.LANCZOS)
 
 
-def _alike(pictures: Sequence[Image.Image]) -> list[Image.Image]:
-    """All of them in one set of colours: what rests does not flicker, and takes no room.
+def _palette(first: Image.Image, last: Image.Image) -> Image.Image:
+    """One set of colours for all pictures: what rests does not flicker, and takes no room.
 
     Each quantity keeps its colour; the others are those of the first picture and of the last one.
     """
-    both = Image.new("RGB", (pictures[0].width, 2 * pictures[0].height))
-    both.paste(pictures[0], (0, 0))
-    both.paste(pictures[-1], (0, pictures[0].height))
+    both = Image.new("RGB", (first.width, 2 * first.height))
+    both.paste(first, (0, 0))
+    both.paste(last, (0, first.height))
     seen = both.quantize(_COLOURS, Image.Quantize.MEDIANCUT).getpalette() or []
     palette = Image.new("P", (1, 1))
     palette.putpalette([*_quantities(), *seen[:3 * _COLOURS]])
-    return [picture.quantize(palette=palette, dither=Image.Dither.NONE) for picture in pictures]
+    return palette
 
 
 def _quantities() -> list[int]:

@@ -6,9 +6,10 @@ same.
 from __future__ import annotations
 
 import math
+from bisect import bisect_right
 from collections.abc import Iterator, Sequence
 from dataclasses import asdict, dataclass
-from itertools import count, pairwise
+from itertools import count
 
 Px = tuple[float, float]
 
@@ -181,7 +182,7 @@ def place(times: Sequence[float], time: float) -> float:
     """The number of the sample at a time, or between which two it is."""
     if time >= times[-1]:
         return len(times) - 1.0
-    k = next(k for k, (_, after) in enumerate(pairwise(times)) if time < after)
+    k = max(0, bisect_right(times, time) - 1)
     return k + max(0.0, (time - times[k]) / (times[k + 1] - times[k]))
 
 

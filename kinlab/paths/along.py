@@ -13,7 +13,6 @@ from .path import States
 from .profiles import Profile
 
 STRIDE = 1e-3  # rad: how far joints are moved along the line to see dq/ds change
-SHORT = 1e-12  # of the line: shorter strides are lost in rounding
 NEAR = 5e-4    # of the duration: the times beside a singular one that say what holds there
 
 Postures = Callable[[np.ndarray], np.ndarray]  # values of joints (m, k) at times
@@ -68,7 +67,6 @@ class Along:
         slopes, ratios = self.branch.slopes(s, q)
         size = np.abs(slopes).max(axis=1)
         h = STRIDE * np.minimum(1.0, 10 * ratios + 1e-6) / np.maximum(1.0, size)
-        h = np.maximum(h, SHORT)
         bends = sum(weight * self.branch.slopes(s + k * h, q + (k * h)[:, None] * slopes)[0]
                     for k, weight in ((-2, 1), (-1, -8), (1, 8), (2, -1))) / (12 * h)[:, None]
         rate, acceleration = ds[:, None] / self.duration, dds[:, None] / self.duration**2

@@ -4,7 +4,7 @@ from __future__ import annotations
 import os
 from collections.abc import Sequence
 from pathlib import Path as FilePath
-from typing import Any, ClassVar
+from typing import ClassVar
 
 import numpy as np
 
@@ -107,7 +107,7 @@ class PathView(LiveView):
         path : str or path
             Where to write it; ends in ``.gif``.
         fps : int
-            Pictures in a second, 1 to 50.
+            Pictures in a second, 1 to 50; of the whole motion 600 at most.
         width : int
             Pixels, 100 to 1600.
 
@@ -122,8 +122,13 @@ class PathView(LiveView):
             out of its range.
         """
         target = files.target("path", path, (".gif",), "a film is opened by its ending")
-        fps, width = _between("fps", fps, 1, 50), _between("width", width, 100, 1600)
-        from ..drawing.film import gif
+        fps, width = inputs.whole("fps", fps, 1, 50), inputs.whole("width", width, 100, 1600)
+        from ..drawing.film import MOST, frame_times, gif
+
+        count = len(frame_times(self._path.duration, fps))
+        if count > MOST:
+            raise ValueError(f"fps: expected a film of at most {MOST} pictures, got {fps} in a "
+                             f"second, {count} in all; {_fewer(self._path.duration, MOST)}")
 
         film = gif(self._scene, self._scene.seen_from, self._scene.shown, self._path.duration,
                    fps=fps, width=width)
@@ -143,11 +148,10 @@ class PathView(LiveView):
         return "\n".join(said)
 
 
-def _between(name: str, value: Any, low: int, high: int) -> int:
-    number = inputs.whole(name, value, low)
-    if number > high:
-        raise ValueError(f"{name}: expected a whole number from {low} to {high}, got {number}")
-    return number
+def _fewer(duration: float, most: int) -> str:
+    """What helps against too many pictures."""
+    fps = int((most - 1) / duration)
+    return f"write fps={fps} or less" if fps else "make a shorter path"
 
 
 def _same(arm: Arm, other: Arm) -> bool:

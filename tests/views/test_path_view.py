@@ -138,10 +138,20 @@ def test_a_name_that_will_not_do(view, name, words, tmp_path, monkeypatch):
 
 
 @pytest.mark.parametrize("options, words", [
-    (dict(fps=0), "fps: expected a whole number from 1"),
+    (dict(fps=0), "fps: expected a whole number from 1 to 50, got 0"),
+    (dict(fps=2.5), "fps: expected a whole number from 1 to 50, got 2.5"),
     (dict(fps=60), "fps: expected a whole number from 1 to 50, got 60"),
     (dict(width=99), "width: expected a whole number from 100"),
     (dict(width=5000), "width: expected a whole number from 100 to 1600, got 5000")])
 def test_a_film_of_no_use_is_refused(view, options, words, tmp_path):
     with pytest.raises(ValueError, match=words):
         view.save_gif(tmp_path / "film.gif", **options)
+
+
+def test_a_film_of_too_many_pictures_is_refused(tmp_path):
+    for seconds, words in ((100, r"at most 600 pictures, got 15 in a second, 1501 in all; "
+                                 r"write fps=5 or less"), (3600, "make a shorter path")):
+        view = kl.PathView(ARM, kl.joint_path(ARM, [0, 0.5], [1, -0.5], seconds))
+        with pytest.raises(ValueError, match=f"^fps: expected a film of {'.*' + words}"):
+            view.save_gif(tmp_path / "film.gif")
+    assert list(tmp_path.iterdir()) == []
