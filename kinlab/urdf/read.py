@@ -91,7 +91,8 @@ def urdf_frames(path_or_text: str | os.PathLike | bytes, tip: str | None = None)
     Returns
     -------
     UrdfFrames
-        It prints a line for each link.
+        It prints a line for each link: where the file's frame is and how it is turned, seen from
+        the arm's frame.
 
     Raises
     ------

@@ -111,7 +111,7 @@ _HARD = Choice(
 _PRICE = Choice(
     ask="The quintic starts and stops more softly than the cubic, in the same time T. What is its "
         "largest rate?",
-    why="1.875 / T, and the cubic's is 1.5 / T. Who starts later must hurry more in between.",
+    why="1.875 / T, and the cubic's is 1.5 / T. Whoever starts later must hurry in between.",
     options={"smaller": "It must go the same way in the same time, and starts later.",
              "the same": "Look at the dots: at a quarter of the time it is behind the cubic.",
              "larger": ""},
