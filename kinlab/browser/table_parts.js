@@ -7,7 +7,7 @@ import { button, make } from "./dom.js";
 
 const LONGEST = 200;                                // characters in a cell
 const CELL_ROOM = 9;                                // of them are seen at once
-const EXPONENT = /^[-+]?([0-9]+\.?[0-9]*|\.[0-9]+)e[-+]?[0-9]{1,2}$/i;   // ends such a number
+const EXPONENT = /^[-+]?([0-9]+\.?[0-9]*|\.[0-9]+)e[-+]?[0-9]{1,2}$/i;   // it has an exponent
 
 /**
  * A list to choose from; `take` hears the choice.

@@ -80,7 +80,7 @@ WRONG = {
            "number, got 'pi/2'; write 1.5707963267948966$"),
     "parts of pi": (robot(joint(rest='<limit lower="-2*pi/3" upper="1"/>')),
                     "^joint 'j', lower: .* got '-2\\*pi/3'; write -2.0943951023931953$"),
-    "half of a part of pi": (robot(joint(rest=f'<origin rpy="pi/0 0 0"/>{LIMIT}')),
+    "a part of pi that is none": (robot(joint(rest=f'<origin rpy="pi/0 0 0"/>{LIMIT}')),
                              "got 'pi/0'; write it as 0.25$"),
     "no digit of pi": (robot(joint(rest=f'<origin rpy=".pi 0 0"/>{LIMIT}')), "write it as 0.25$"),
     "a quaternion": (robot(joint(rest=f'<origin quat_xyzw="0 0 0 1"/>{LIMIT}')),
