@@ -59,7 +59,19 @@ function roundNumbers(low, high, least) {
   const { e, step } = all.find((one) => one.step >= least * (1 - 1e-9)) ?? all[all.length - 1];
   const first = Math.ceil(low / step - 1e-9), last = Math.floor(high / step + 1e-9);
   return Array.from({ length: last - first + 1 }, (_, k) =>
-    [(first + k) * step, number((first + k) * step, Math.max(0, -e))]);
+    [(first + k) * step, ticked((first + k) * step, e)]);
+}
+
+/**
+ * A number on an axis; with an e if it is long.
+ * @param {number} value
+ * @param {number} tens
+ */
+function ticked(value, tens) {
+  const fine = tens < -4;
+  return value && (fine || Math.abs(value) > 99999)
+    ? (+value.toPrecision(6)).toExponential().replace("+", "").replace(/-/g, "\u2212")
+    : number(value, fine ? 0 : Math.max(0, -tens));
 }
 
 /**

@@ -17,6 +17,7 @@ LEFT, RIGHT, TOP, BOTTOM = 54.0, 12.0, 26.0, 22.0  # px of the margins round the
 _WIDE, _HIGH = 44.0, 26.0  # px that a number wants on an axis
 _AIR = 0.06                # of the range: beyond the farthest values
 _NEAR = 0.2                # of the range: a limit that is no farther beyond a curve is drawn
+_LONG, _FINE = 5, 4        # powers of ten, and decimals: beyond these a number on an axis has an e
 _DIGITS = 5                # of a value: more are not seen
 _SIGN_WIDE, _SIGN_HIGH, _SIGN_DOWN = 34.0, 15.0, 9.0  # px of a band's sign, and to the first row
 
@@ -197,16 +198,24 @@ def _gone(points: Sequence[Px], at: float) -> tuple[Px, ...]:
 def _ticks(low: float, high: float, least: float) -> list[tuple[float, str]]:
     """Round numbers from low to high, at least so far apart, and how they are written."""
     tens = math.floor(math.log10(least))
-    step, digits = next((k * 10.0 ** e, max(0, -e)) for e in (tens, tens + 1) for k in (1, 2, 5)
-                        if k * 10.0 ** e >= least * (1 - 1e-9))
+    part, e = next((k, e) for e in (tens, tens + 1) for k in (1, 2, 5)
+                   if k * 10.0 ** e >= least * (1 - 1e-9))
+    step = part * 10.0 ** e
     first = math.ceil(low / step - 1e-9)
     count = math.floor(high / step + 1e-9) - first + 1
-    return [((first + k) * step, _number((first + k) * step, digits)) for k in range(count)]
+    return [((first + k) * step, _number((first + k) * part, e)) for k in range(count)]
 
 
-def _number(value: float, digits: int) -> str:
-    text = f"{abs(value):.{digits}f}"
-    return f"−{text}" if value < 0 and float(text) else text
+def _number(value: int, tens: int) -> str:
+    """A value times a power of ten; with an e if it is too long for an axis."""
+    sign, digits = "−" if value < 0 else "", str(abs(value))
+    power = tens + len(digits) - 1
+    if value and (power >= _LONG or tens < -_FINE):
+        first, rest = digits[0], digits[1:].rstrip("0")
+        return f"{sign}{first}{'.' if rest else ''}{rest}e{power}".replace("-", "−")
+    if tens < -_FINE:
+        return "0"
+    return f"{sign}{abs(value) * 10.0 ** tens:.{max(0, -tens)}f}"
 
 
 def _finite(course: Course) -> list[float]:

@@ -13,7 +13,7 @@ from kinlab.drawing.cloud import layers, packed, unpacked
 from kinlab.drawing.curves import corners, is_there
 from kinlab.drawing.path_picture import path_scene
 from kinlab.drawing.scene import AREA, LINE, PATCH, SWEEP, WAY, Item, Scene, Step, at
-from kinlab.drawing.timed import laid
+from kinlab.drawing.timed import Course, Panel, laid
 
 X, Y, Z = 0, 1, 2
 FALLING = Curve("newton", "first", "dot", (1.5, 0.4, 3e-3, 2e-7, 0.0))
@@ -33,6 +33,9 @@ def timed() -> dict:
     times = [*data["times"][few], data["times"][-1]]
     for course in (course for panel in data["panels"] for course in panel["courses"]):
         course["values"] = [*course["values"][few], course["values"][-1]]
+    for size in (1.3e7, 3e-6):  # numbers that are too long for an axis
+        values = tuple(size * (time - 0.7) for time in times)
+        data["panels"].append(Panel("far", (Course("tip", "trace", values, "m"),)).data())
     return {"times": times, "panels": [{"panel": panel, "plots": [
         {"size": size, "time": time, "plot": _plain(asdict(laid(panel, times, size, time)))}
         for size in ((320.0, 118.0), (560.0, 150.0), (1400.0, 200.0))

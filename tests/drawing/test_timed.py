@@ -38,6 +38,19 @@ def test_a_panel_by_hand():
     assert at.across == ((54, "0.0"), (154, "0.5"), (254, "1.0"))
 
 
+@pytest.mark.parametrize("low, high, words", [
+    (-1e7, 1e7, ["−1e7", "−5e6", "0", "5e6", "1e7"]),
+    (-1.5e6, 2.5e6, ["−1e6", "0", "1e6", "2e6"]), (1.05e6, 1.2e6, ["1.05e6", "1.1e6", "1.15e6",
+                                                                   "1.2e6"]),
+    (-4e-6, 4e-6, ["−4e−6", "−2e−6", "0", "2e−6", "4e−6"]),
+    (-5e4, 5e4, ["−40000", "−20000", "0", "20000", "40000"])])
+def test_long_numbers_on_an_axis_are_written_short(low, high, words):
+    data = panel((0.0, 1.0)).data() | {"low": low, "high": high}
+    at = laid(data, (0.0, 1e5), (266.0, 178.0), 0)
+    assert [text for _, text in at.up] == words
+    assert [text for _, text in at.across] == ["0", "50000", "1e5"]
+
+
 def test_a_limit_is_drawn_where_its_own_joint_comes_near():
     """The range is 100: 20 beyond a joint's own values its limit is seen, farther it is not."""
     seen_ = panel((0.0, 50.0), (0.0, 100.0), bounds=[(69, 1), (-21, 1), (119, 2), (160, 2)])
