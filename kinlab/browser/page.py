@@ -39,7 +39,7 @@ def _smaller(still: bytes) -> bytes:
     picture, small = Image.open(io.BytesIO(still)).convert("RGB"), io.BytesIO()
     width, height = (side * 5 // 9 for side in picture.size)
     fewer = picture.resize((width, height), Image.Resampling.LANCZOS)
-    fewer.save(small, "WEBP", quality=35, method=6)
+    fewer.save(small, "WEBP", quality=28, method=6)
     return small.getvalue()
 
 

@@ -116,7 +116,8 @@ export function laidOut({ low, high, courses, bounds, bands }, times, [width, he
   /** @type {PanelPlot["bands"]} */
   const spans = bands.map(({ start, end }) => [along(start), along(end)]);
   return { box: [left, top, right, bottom],
-           across: roundNumbers(0, last, TICK_WIDE / wide).map(([t, text]) => [along(t), text]),
+           across: roundNumbers(0, last, TICK_WIDE / wide).map(([t, text]) =>
+             [along(t), t ? text : `${text} s`]),
            up: roundNumbers(low, high, TICK_HIGH / deep).map(([v, text]) => [down(v), text]),
            zero: low <= 0 && high >= 0 ? down(0) : null, whole, gone,
            bounds: bounds.map(({ level }) => down(level)),

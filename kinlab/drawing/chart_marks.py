@@ -10,7 +10,6 @@ import numpy as np
 
 from ..arms.motions import Numbers
 from .chart import LINE, Chart, Curve, Plot, Px, Track, plot
-from .labels import text_size
 from .paints import FAINT, INK, PAINTS, pen
 from .still import Drawn, Mark
 
@@ -55,9 +54,7 @@ def frame_lines(box: tuple[float, float, float, float], across: Ticks, up: Ticks
 
 def words(text: str, x: float, y: float, side: str, colour: str = INK) -> Mark:
     """Words that begin, end or have their middle at a place."""
-    half = text_size(text)[0] / 2
-    place = x + {"left": half, "right": -half, "middle": 0.0}[side]
-    return Mark([np.array([(place, y)])], {"fill": colour}, text=text, weight="normal")
+    return Mark([np.array([(x, y)])], {"fill": colour}, text=text, weight="normal", side=side)
 
 
 def _curve(curve: Curve, track: Track) -> list[Mark]:

@@ -195,21 +195,22 @@ def _path(lines: Sequence[np.ndarray], *, closed: bool) -> Path:
 
 def _write(renderer: RendererBase, mark: Mark, px: Transform) -> None:
     """Words with a rim that keeps off what lies under them."""
-    letters, middle = _letters(mark.text, mark.weight)
+    letters, side = _letters(mark.text, mark.weight, mark.side)
     ((x, y),) = mark.lines[0]
-    where = Affine2D().translate(-middle, 0).scale(1, -1).translate(x, y + _RISE * _LETTERS) + px
+    where = Affine2D().translate(-side, 0).scale(1, -1).translate(x, y + _RISE * _LETTERS) + px
     rim: Paint = {"stroke": _RIM_COLOUR, "stroke-width": _RIM}
     _stroke(renderer, letters, where, rim, mark.opacity)
     _stroke(renderer, letters, where, {**mark.paint, "stroke": "none"}, mark.opacity)
 
 
 @lru_cache(1000)
-def _letters(text: str, weight: str) -> tuple[Path, float]:
-    """The outlines of words in px, and how far their middle lies to the right."""
+def _letters(text: str, weight: str, side: str = "middle") -> tuple[Path, float]:
+    """The outlines of words in px, and how far their side, or their middle, lies to the right."""
     corners, codes = text_to_path.get_text_path(_font(weight), text)
     corners = np.asarray(corners).reshape(-1, 2) * _LETTERS / text_to_path.FONT_SCALE
     across = corners[:, 0] if len(corners) else np.zeros(1)  # some signs leave no ink
-    return Path(corners, codes), float(across.max() + across.min()) / 2
+    low, high = float(across.min()), float(across.max())
+    return Path(corners, codes), {"left": low, "right": high, "middle": (low + high) / 2}[side]
 
 
 @lru_cache

@@ -70,7 +70,7 @@ Segment = tuple[np.ndarray, np.ndarray]
 
 @dataclass(frozen=True, eq=False)
 class Mark:
-    """Lines or outlines in px, or words in the middle of the first point.
+    """Lines or outlines in px, or words that have their `side` at the first point.
 
     Only what is closed is filled. With a gradient, `fill` holds a colour for each of its levels.
     """
@@ -82,6 +82,7 @@ class Mark:
     fill: tuple[str, ...] = ()
     text: str = ""
     weight: str = "bold"
+    side: str = "middle"
     opacity: float = 1.0
 
 

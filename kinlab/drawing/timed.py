@@ -158,7 +158,8 @@ def laid(panel: dict, times: Sequence[float], size: tuple[float, float], time: f
     at = place(times, time)
     bands = tuple((left + band["start"] * wide, left + band["end"] * wide)
                   for band in panel["bands"])
-    return Laid(box, tuple((left + t * wide, text) for t, text in _ticks(0.0, last, _WIDE / wide)),
+    return Laid(box, tuple((left + t * wide, text if t else f"{text} s")
+                           for t, text in _ticks(0.0, last, _WIDE / wide)),
                 tuple((down(v), text) for v, text in _ticks(low, high, _HIGH / deep)),
                 down(0.0) if low <= 0 <= high else None, whole,
                 tuple(_gone(points, at) for points in whole),

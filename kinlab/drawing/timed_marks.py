@@ -41,7 +41,7 @@ def timed_marks(timed: Timed, time: float, size: tuple[float, float]) -> list[Dr
     drawn = [Drawn("paper", [Mark([paper], _PAPER, closed=True)])]
     for remark in timed.remarks:
         said = words(f"! {remark.text}", 8, y + _ROW / 2, "left", COLOURS["target"].words)
-        drawn.append(Drawn("remark", [replace(said, weight="bold")]))
+        drawn.append(Drawn("remark", [said]))  # in thin letters: bold ones leave the picture
         y += _ROW
     for row in _rows(timed, width):
         drawn += [_name(*one, y + _ROW / 2) for one in row]

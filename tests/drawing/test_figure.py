@@ -97,6 +97,17 @@ def test_with_words_a_picture_has_no_empty_frame(make):
     assert left + right == pytest.approx(framed.shape[1], abs=60)  # in the middle
 
 
+@pytest.mark.parametrize("side", ["left", "right", "middle"])
+def test_words_have_their_side_where_it_is_wanted(side):
+    """All lines under a picture begin below each other, however long they are."""
+    for text in ("i", "speeds up or slows down by more than 143.2 deg/s²"):
+        path, left = figure._letters(text, "normal", side)
+        across = path.vertices[:, 0] - left + 100
+        low, high = across.min(), across.max()
+        assert {"left": low, "right": high, "middle": (low + high) / 2}[side] == pytest.approx(100)
+        assert high > low
+
+
 def test_words_have_room_under_a_small_picture():
     arm = kl.robots.two_link()
     fig = figure.figure(arm_scene(arm), arm.home, "top", ())

@@ -35,7 +35,7 @@ def test_a_panel_by_hand():
     assert (at.bounds, at.bands, at.zero, at.now) == ((56,), ((204, 254),), 86, 204)
     assert at.signs == ((229, 35),)
     assert at.up == ((86, "0"), (46, "20"))
-    assert at.across == ((54, "0.0"), (154, "0.5"), (254, "1.0"))
+    assert at.across == ((54, "0.0 s"), (154, "0.5"), (254, "1.0"))
 
 
 @pytest.mark.parametrize("low, high, words", [
@@ -48,7 +48,7 @@ def test_long_numbers_on_an_axis_are_written_short(low, high, words):
     data = panel((0.0, 1.0)).data() | {"low": low, "high": high}
     at = laid(data, (0.0, 1e5), (266.0, 178.0), 0)
     assert [text for _, text in at.up] == words
-    assert [text for _, text in at.across] == ["0", "50000", "1e5"]
+    assert [text for _, text in at.across] == ["0 s", "50000", "1e5"]
 
 
 def test_a_limit_is_drawn_where_its_own_joint_comes_near():

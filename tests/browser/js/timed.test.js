@@ -39,7 +39,7 @@ test("a panel by hand: 200 px for 1 s, 80 px for 40 degrees", () => {
   assert.deepEqual(plot.signs, [[229, 35]]);
   assert.deepEqual([plot.zero, plot.now], [86, 204]);
   assert.deepEqual(plot.up, [[86, "0"], [46, "20"]]);
-  assert.deepEqual(plot.across, [[54, "0.0"], [154, "0.5"], [254, "1.0"]]);
+  assert.deepEqual(plot.across, [[54, "0.0 s"], [154, "0.5"], [254, "1.0"]]);
 });
 
 test("a place among samples that are not evenly apart", () => {
