@@ -20,7 +20,7 @@ from .answers.judges import Judge
 from .answers.time_limit import Ended, TimeIsOver, within
 from .answers.varied import Draw
 from .answers.verdict import BLANK, NOT_YET, Verdict
-from .arms import inputs
+from .arms import files, inputs
 from .marks import record
 from .marks.report import FILE, Report, read, who, write
 
@@ -210,17 +210,15 @@ def report(name: str = "", path: str | os.PathLike = FILE) -> Report:
     ...     report("Ada", folder + "/ada.json").name
     'Ada'
     """
-    if not isinstance(path, str | os.PathLike) or not isinstance(os.fspath(path), str):
-        raise ValueError("path: expected the name of a file such as 'kinlab_report.json', got "
-                         f"{inputs.brief(path)}")
     inputs.line("name", name)
-    before = _kept(Path(path)) or Report("", {})
+    target = files.target("path", path, (".json",), "reports are found by their ending")
+    before = _kept(target) or Report("", {})
     whose = name or before.name or who()
     formerly = dict.fromkeys([*before.formerly, before.name])
     made = Report(whose, {**before.sessions, record.KEY: record.THIS},
                   formerly=tuple(one for one in formerly if one not in ("", whose)),
-                  path=Path(path))
-    write(made, Path(path))
+                  path=target)
+    write(made, target)
     return made
 
 

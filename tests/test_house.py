@@ -22,11 +22,11 @@ MAY_KNOW = {
     "browser": {"arms.inputs", "arms.files"},
     "tables": {"arms", "answers"},
     "urdf": {"arms"},
-    "marks": {"arms.inputs"},
+    "marks": {"arms.inputs", "arms.files"},
     "views": {"arms", "ik", "paths", "answers", "tables", "drawing", "browser", "marks"},
     "lessons": {"arms", "ik", "paths", "answers", "tables", "drawing", "browser", "views"},
     "course": {"arms.robots", "views", "browser"},
-    "exercises": {"arms.inputs", "answers", "lessons", "marks"},   # the door kl.exercises.check
+    "exercises": {"arms.inputs", "arms.files", "answers", "lessons", "marks"},  # kl.exercises
     "predictions": {"arms.inputs", "lessons", "views"},   # the door kl.predict
     "__main__": {"course", "lessons", "marks"},
     "__init__": set(),

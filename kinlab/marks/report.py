@@ -15,7 +15,7 @@ from pathlib import Path
 from typing import Any
 
 from .. import __version__
-from ..arms import inputs
+from ..arms import files, inputs
 from .record import Session, Work, now, time_of, together
 
 FILE = "kinlab_report.json"
@@ -120,12 +120,7 @@ def write(report: Report, path: Path) -> None:
             "written": report.written,
             "sessions": {key: asdict(one) for key, one in report.sessions.items()}}
     text = json.dumps(told | {"seal": _seal(told)}, indent=1, ensure_ascii=False)
-    try:
-        path.write_text(text + "\n", encoding="utf-8")
-    except (OSError, ValueError) as error:  # ValueError: a name with a zero byte
-        reason = getattr(error, "strerror", None) or error
-        raise ValueError(f"path: cannot write {str(path)!r} ({reason}); choose a folder of your "
-                         "own, or another name") from None
+    files.write("path", path, f"{text}\n".encode())
 
 
 def read(path: Path) -> Report:

@@ -3,10 +3,12 @@ from __future__ import annotations
 
 import csv
 import io
+import os
 from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
+from ..arms import files
 from .report import Report, read
 
 _ALWAYS = ("file", "name", "written", "trusted", "remarks", "solved", "tried", "predicted", "right",
@@ -112,16 +114,11 @@ def _cells(row: Row, exercises: Sequence[str]) -> list[str | int]:
 
 def write(text: str, path: Path) -> None:
     """Write the table so that a spreadsheet reads its letters right; never over another file."""
-    try:
-        with path.open("xb") as file:
-            file.write(b"\xef\xbb\xbf" + text.encode("utf-8", "replace"))
-    except FileExistsError:
+    target = files.target("--out", path, (".csv",), "spreadsheets open a table by its ending")
+    if os.path.lexists(target):
         raise ValueError(f"--out: {str(path)!r} is there already and stays as it is; take it away, "
-                         "or give another name with --out") from None
-    except (OSError, ValueError) as error:
-        reason = getattr(error, "strerror", None) or error
-        raise ValueError(f"--out: cannot write {str(path)!r} ({reason}); choose a folder of your "
-                         "own, or another name") from None
+                         "or give another name with --out")
+    files.write("--out", target, text.encode("utf-8-sig", "replace"))
 
 
 def _harmless(cell: str | int) -> str | int:

@@ -161,12 +161,14 @@ def test_a_class_of_thirty_becomes_one_table(tmp_path, capsys, monkeypatch):
 @pytest.mark.parametrize("arguments, words", [
     (["no folder"], "there is no folder 'no folder'"),
     (["."], "there is no .json file"),
-    ([".", "--out", "no/marks.csv"], "--out: cannot write 'no/marks.csv'"),
-    ([".", "--out", "Ada.json"], "'Ada.json' is there already and stays as it is")])
+    ([".", "--out", "no/marks.csv"], "--out: there is no folder 'no'"),
+    ([".", "--out", "Ada.json"], "--out: expected a name that ends in .csv, got 'Ada.json'"),
+    ([".", "--out", "old.csv"], "--out: 'old.csv' is there already and stays as it is")])
 def test_what_cannot_be_done_is_one_sentence(tmp_path, capsys, monkeypatch, arguments, words):
     monkeypatch.chdir(tmp_path)
     if "--out" in arguments:
         handed_in(tmp_path, "Ada", worked())
+        Path("old.csv").write_text("an older one")
     with pytest.raises(SystemExit) as stop:
         command.main(["marks", *arguments])
     assert stop.value.code == 2 and words in capsys.readouterr().err
