@@ -220,12 +220,17 @@ def wait_for_readouts(view: Locator, values, digits: int = 1) -> None:
 
 
 def wait_for_kernel(page: Page, robot, values, name: str = "view") -> np.ndarray:
-    """Wait until Python's joint values are those of the sliders, rounded; Python's values."""
+    """Wait until Python's joint values are those of the sliders, rounded, and rest; those values.
+
+    Python hears of a move every tenth of a second: near its end it is within the rounding, too.
+    """
     rounding = np.where([link.kind == "revolute" for link in robot().links], 0.051, 0.0051)
-    end = time.monotonic() + 60
+    end, before = time.monotonic() + 60, np.array([])
     while time.monotonic() < end:
         q = kernel_q(page, name)
-        if np.all(np.abs(in_units(robot, q)[:len(values)] - values) < rounding[:len(values)]):
+        near = np.abs(in_units(robot, q)[:len(values)] - values) < rounding[:len(values)]
+        if np.all(near) and np.array_equal(q, before):
             return q
-        page.wait_for_timeout(50)
+        before = q
+        page.wait_for_timeout(150)
     raise AssertionError(f"Python has {in_units(robot, q)}, the sliders show {values}")
