@@ -122,7 +122,7 @@ class Variant:
     name: str
     seed: str
     ask: str
-    numbers: Mapping[str, Any]
+    numbers: Mapping[str, Any] = field(compare=False)  # name and seed say which
     judge: Judge = field(repr=False, compare=False)
 
     def check(self, answer: Any, *, seconds: float | None = None) -> Verdict:

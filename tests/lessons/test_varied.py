@@ -145,8 +145,10 @@ def test_a_seed_has_the_same_numbers_everywhere():
         "turn": 100, "lift": 400, "reach": 15}
 
 
-def test_a_number_and_its_text_are_one_seed():
-    assert kl.exercises.variant("rotation.2", 7) == kl.exercises.variant("rotation.2", "7")
+@pytest.mark.parametrize("name", ["rotation.2", "turns.3"])
+def test_a_number_and_its_text_are_one_seed(name):
+    assert kl.exercises.variant(name, 7) == kl.exercises.variant(name, "7")
+    assert kl.exercises.variant(name, 7) != kl.exercises.variant(name, 8)
 
 
 def test_without_a_seed_there_are_others_each_time_and_the_seed_is_said():
