@@ -31,10 +31,12 @@ def gif(scene: Scene, preset: str, show: Sequence[str], end: float, *, fps: int,
     def taken(time: float) -> Image.Image:
         return _scaled(worker.png(scene, [time], preset, show), width)
 
-    palette, pictures = _palette(taken(times[0]), taken(times[-1])), []
+    ends = {time: taken(time) for time in (times[0], times[-1])}
+    palette, pictures = _palette(*ends.values()), []
     with ProgressBar("film") as done:
         for time in times:
-            pictures.append(taken(time).quantize(palette=palette, dither=Image.Dither.NONE))
+            picture = ends.get(time) or taken(time)
+            pictures.append(picture.quantize(palette=palette, dither=Image.Dither.NONE))
             done(len(pictures), len(times))
     first, *others = pictures
     film = io.BytesIO()

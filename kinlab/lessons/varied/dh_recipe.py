@@ -6,6 +6,7 @@ import numpy as np
 from ...answers.matrices import link_matrix
 from ...answers.varied import Draw, Varied
 from ..dh_recipe import lost_row_judge
+from . import given, latex
 
 
 def _row(draw: Draw) -> dict[str, float]:
@@ -18,18 +19,12 @@ def _matrix(theta: float, d: float, a: float, alpha: float) -> np.ndarray:
     return link_matrix(np.radians(theta), d, a, np.radians(alpha))
 
 
-def _printed(**row: float) -> str:
-    T = _matrix(**row)
-    rows = (" & ".join(f"{entry + 0.0:.4f}" for entry in row) for row in np.round(T, 4))
-    return r"\begin{bmatrix} " + r" \\ ".join(rows) + r" \end{bmatrix}"
-
-
 VARIED = {
     "dh_recipe.6": Varied(
         lambda **row: (
             "Someone hands you a link matrix and has lost its table:\n\n"
-            f"$$T = {_printed(**row)}$$\n\n"
+            f"$$T = {latex(_matrix(**row))}$$\n\n"
             "Find $\\theta, d, a, \\alpha$ (angles in radians). Each angle is a multiple of 30°: "
             "give it exactly, with `np.radians`."),
-        _row, lost_row_judge, lambda **row: {"T": np.round(_matrix(**row), 4)}),
+        _row, lost_row_judge, lambda **row: {"T": given(_matrix(**row))}),
 }

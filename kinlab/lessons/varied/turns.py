@@ -10,6 +10,7 @@ from ...answers.varied import Draw, Varied
 from ...arms.euler import rpy_matrix
 from ...arms.quaternions import rotation_about
 from ..turns import axis_judge, locked_judge
+from . import given, latex
 
 
 def _turn(draw: Draw) -> dict[str, Any]:
@@ -30,23 +31,18 @@ def _locked(left: float) -> np.ndarray:
     return rpy_matrix(0, np.pi / 2, np.radians(left))
 
 
-def _matrix(R: np.ndarray) -> str:
-    rows = (" & ".join(f"{entry + 0.0:.4f}" for entry in row) for row in np.round(R, 4))
-    return r"\begin{bmatrix} " + r" \\ ".join(rows) + r" \end{bmatrix}"
-
-
 VARIED = {
     "turns.3": Varied(
         lambda **turn: (
-            f"$$R = {_matrix(_round(**turn))}$$\n\n"
+            f"$$R = {latex(_round(**turn))}$$\n\n"
             "Give its axis, three numbers of length 1, and its angle in radians: `[axis, angle]`."),
-        _turn, _axis_judge, lambda **turn: {"R": np.round(_round(**turn), 4)}),
+        _turn, _axis_judge, lambda **turn: {"R": given(_round(**turn))}),
     "turns.5": Varied(
         lambda left: (
-            f"$$R = {_matrix(_locked(left))}$$\n\n"
+            f"$$R = {latex(_locked(left))}$$\n\n"
             "Give roll, pitch and yaw, in radians, so that `kl.rpy_matrix` makes this matrix of "
             "them. There are infinitely many right answers; give one."),
         lambda draw: {"left": draw.whole(15, 75, but=(45,))},
         lambda left: locked_judge(_locked(left)),
-        lambda left: {"R": np.round(_locked(left), 4)}),
+        lambda left: {"R": given(_locked(left))}),
 }
